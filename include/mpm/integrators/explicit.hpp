@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <mpm/concepts/integrator.hpp>
+#include <mpm/grid.hpp>
+
+namespace mpm {
+
+/// Explicit dynamics, symplectic Euler on the nodes, with a blend of FLIP and PIC to the particles.
+template <StressUpdate When>
+struct Explicit {
+  double flip = 1;  ///< 1: the increment (FLIP, Brackbill & Ruppel 1986), 0: the nodal velocity itself (PIC)
+
+  static constexpr StressUpdate stress_update = When;
+  static constexpr bool keeps_node_velocity = false;
+  static constexpr int step_interval = 1;
+
+  template <class S>
+  void advance(Grid<S>& grid, typename S::Scalar dt) const {
+    grid.for_each_active([&](int node) {
+      if (!(grid.mass[node] > 0)) return;
+      grid.increment[node] *= dt / grid.mass[node];
+      grid.velocity[node] += grid.increment[node];
+    });
+  }
+  template <class Scalar>
+  Scalar particle_velocity(Scalar old, Scalar v, Scalar increment) const {
+    const Scalar f = Scalar(flip);
+    return f * (old + increment) + (1 - f) * v;
+  }
+};
+
+using Usf = Explicit<StressUpdate::first>;
+using Usl = Explicit<StressUpdate::last>;
+using Musl = Explicit<StressUpdate::modified_last>;
+
+static_assert(Integrator<Usf> && Integrator<Usl> && Integrator<Musl>);
+
+}  // namespace mpm

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Everything of the framework's core; the only include a first program needs. Drivers that read scene files or write
+// snapshots include <mpm/io/...> beside it, and <mpm/analysis/...> holds exact solutions to compare with.
+#include <mpm/solver.hpp>
+
+#include <mpm/integrators/dynamic_relaxation.hpp>
+#include <mpm/integrators/explicit.hpp>
+
+#include <mpm/shapes/cpdi.hpp>
+#include <mpm/shapes/cpdi_quad.hpp>
+#include <mpm/shapes/cpgimp.hpp>
+#include <mpm/shapes/linear.hpp>
+#include <mpm/shapes/ugimp.hpp>
+
+#include <mpm/spaces/axisymmetric.hpp>
+#include <mpm/spaces/plane_strain.hpp>
+#include <mpm/spaces/radial.hpp>
+#include <mpm/spaces/spatial.hpp>
+#include <mpm/spaces/uniaxial.hpp>

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <mpm/grid.hpp>
+#include <mpm/stencil.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mpm::shapes {
+
+/// Linear hat at `xi` cells from the origin: two nodes.
+template <class Scalar>
+AxisStencil<Scalar, 2> hat_axis(Scalar xi, int cells) {
+  AxisStencil<Scalar, 2> a;
+  a.first = std::min(int(xi), cells - 1);
+  a.size = 2;
+  const Scalar f = xi - Scalar(a.first);
+  a.w = {1 - f, f};
+  a.dw = {-1, 1};
+  return a;
+}
+
+/// Integral of the hat from -1 to u.
+template <class Scalar>
+Scalar hat_integral(Scalar u) {
+  u = std::clamp(u, Scalar(-1), Scalar(1));
+  return u < 0 ? Scalar(0.5) * (1 + u) * (1 + u) : 1 - Scalar(0.5) * (1 - u) * (1 - u);
+}
+
+/// Hat averaged over a box of half size `l` about `xi`, both in cells (Bardenhagen & Kober 2004): the piecewise form
+/// follows from the difference of the hat's integrals at the two ends.
+template <int MaxNodes, class Scalar>
+AxisStencil<Scalar, MaxNodes> gimp_axis(Scalar xi, Scalar l) {
+  AxisStencil<Scalar, MaxNodes> a;
+  const Scalar low = xi - l, high = xi + l, scale = 1 / (2 * l);
+  a.first = int(std::floor(low));
+  a.size = std::min(int(std::floor(high)) - a.first + 2, MaxNodes);
+  for (int k = 0; k < a.size; ++k) {
+    const Scalar node = Scalar(a.first + k);
+    const Scalar u = low - node, v = high - node;
+    a.w[k] = (hat_integral(v) - hat_integral(u)) * scale;
+    a.dw[k] = (std::max(Scalar(0), 1 - std::abs(v)) - std::max(Scalar(0), 1 - std::abs(u))) * scale;
+  }
+  return a;
+}
+
+/// Product of axis stencils; nodes beyond a face are folded onto it.
+template <class S, class Axis, class Out>
+void tensor_product(const std::array<Axis, S::dimension>& axis, const Grid<S>& grid, Out& out) {
+  using Scalar = typename S::Scalar;
+  constexpr int dimension = S::dimension;
+  const Scalar inverse = grid.inverse_cell();
+  const auto index = [&](int d, int k) { return std::clamp(axis[d].first + k, 0, grid.cells(d)) * grid.stride(d); };
+  for (int k = 0; k < (dimension > 2 ? axis[dimension - 1].size : 1); ++k) {
+    for (int j = 0; j < (dimension > 1 ? axis[dimension > 1].size : 1); ++j) {
+      for (int i = 0; i < axis[0].size; ++i) {
+        if constexpr (dimension == 1) {
+          out.add(index(0, i), axis[0].w[i], {axis[0].dw[i] * inverse});
+        } else if constexpr (dimension == 2) {
+          const Scalar wx = axis[0].w[i], wy = axis[1].w[j];
+          out.add(index(0, i) + index(1, j), wx * wy, {axis[0].dw[i] * wy * inverse, wx * axis[1].dw[j] * inverse});
+        } else {
+          const Scalar wx = axis[0].w[i], wy = axis[1].w[j], wz = axis[2].w[k];
+          out.add(index(0, i) + index(1, j) + index(2, k), wx * wy * wz,
+                  {axis[0].dw[i] * wy * wz * inverse, wx * axis[1].dw[j] * wz * inverse,
+                   wx * wy * axis[2].dw[k] * inverse});
+        }
+      }
+    }
+  }
+}
+
+constexpr int power(int base, int exponent) {
+  return exponent == 0 ? 1 : base * power(base, exponent - 1);
+}
+
+}  // namespace mpm::shapes

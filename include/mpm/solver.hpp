@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <mpm/boundaries/box.hpp>
+#include <mpm/concepts/integrator.hpp>
+#include <mpm/passes/gather.hpp>
+#include <mpm/passes/locate.hpp>
+#include <mpm/passes/scatter.hpp>
+#include <mpm/passes/stable_step.hpp>
+#include <mpm/passes/update_stress.hpp>
+#include <mpm/per_body.hpp>
+#include <limits>
+#include <sstream>
+
+namespace mpm {
+
+/// The material point method: one background grid, any number of bodies, one shape function and one law a body, one
+/// time integrator. `step()` is its table of contents.
+template <class Shape, class Material, Integrator IntegratorT, Space S = PlaneStrain<>>
+class Solver {
+ public:
+  using Scalar = typename S::Scalar;
+  using BodyList = Bodies<Shape, Material, S>;
+  template <int I>
+  using BodyAt = std::tuple_element_t<I, BodyList>;
+  static constexpr StressUpdate stress_update = IntegratorT::stress_update;
+
+  Grid<S> grid;
+  BodyList bodies;
+  IntegratorT integrator{};
+  Box<S> boundary;
+  Vector<S> body_force = Vector<S>::Zero();  ///< b, m/s2
+  Scalar safety = Scalar(0.8);               ///< share of the stable step that is taken
+  Scalar time = 0;                           ///< s
+  std::int64_t steps = 0;
+
+  /// Takes the grid and the bodies, in the order of the columns.
+  template <class... B>
+  explicit Solver(Grid<S> background, B... body) : grid(std::move(background)), bodies(std::move(body)...) {
+    if constexpr (stress_update == StressUpdate::modified_last) grid.strain_velocity = grid.velocity;
+  }
+
+  template <int I = 0>
+  BodyAt<I>& body() {
+    return std::get<I>(bodies);
+  }
+
+  /// One step, as long as is stable but no longer than `longest`; returns its length, s. Throws Error when a particle
+  /// leaves the grid, a volume or a stress is no longer finite, or no stable step exists.
+  Scalar step(Scalar longest = std::numeric_limits<Scalar>::max()) {
+    locate_particles();
+    gather_nodes();
+    const Scalar dt = std::min(longest, stable_step());
+    if constexpr (stress_update == StressUpdate::first) strain(grid.velocity, dt);
+    assemble_forces();
+    boundary.load(grid);
+    boundary.constrain(grid.increment, grid);
+    integrator.advance(grid, dt);
+    boundary.absorb(grid, dt);
+    for_each_body([&](auto& b, auto&) { gather_velocity(b, grid, integrator); });
+    if constexpr (stress_update == StressUpdate::modified_last) remap_momentum();
+    if constexpr (stress_update != StressUpdate::first) strain(strain_velocity(), dt);
+    for_each_body([&](auto& b, auto&) { convect(b, grid, strain_velocity(), dt); });
+    time += dt;
+    ++steps;
+    return dt;
+  }
+
+  /// Steps until `end`, which is met exactly; calls `after(solver)` after each step.
+  template <class F>
+  void run(Scalar end, const F& after) {
+    while (time < end) {
+      step(end - time);
+      after(*this);
+    }
+  }
+  void run(Scalar end) {
+    run(end, [](const Solver&) {});
+  }
+
+  /// Nodal forces -V sigma grad w + w m b of the present state in grid.increment, boundaries not included.
+  void internal_forces() {
+    locate_particles();
+    gather_nodes();
+    assemble_forces();
+  }
+  /// Makes every quiet face carry the load that keeps the present state at rest.
+  void hold_quiet_faces() {
+    internal_forces();
+    boundary.constrain(grid.increment, grid);
+    boundary.hold(grid);
+  }
+  /// Norm over the nodes of sum abs(V sigma grad w), the scale of the nodal forces, N.
+  double force_scale() {
+    std::vector<Scalar> scale(grid.size(), 0);
+    for_each_body([&](auto& b, auto& o) { scatter_force_scale(b, o, grid, scale); });
+    double sum = 0;
+    for (Scalar s : scale) sum += double(s) * double(s);
+    return std::sqrt(sum);
+  }
+
+  /// Calls f(body) for every body, in order.
+  template <class F>
+  void for_bodies(const F& f) {
+    for_each_body([&](auto& b, auto&) { f(b); });
+  }
+
+ private:
+  template <class F>
+  void for_each_body(const F& f) {
+    int k = 0;
+    std::apply([&](auto&... body) { (f(body, order_[k++]), ...); }, bodies);
+  }
+
+  void locate_particles() {
+    grid.deactivate_all();
+    for_each_body([&](auto& b, auto& o) {
+      if (const std::size_t p = outside(b); p < b.size())
+        fail(b, p, "has left the grid", "enlarge the grid, or close its faces with walls");
+      locate(b, grid, o);
+    });
+    grid.sort_active();
+  }
+  /// m_I and v_I (kept from the last step by an integrator that keeps node velocities).
+  void gather_nodes() {
+    grid.for_each_active([&](int n) {
+      grid.mass[n] = 0;
+      if constexpr (!IntegratorT::keeps_node_velocity) grid.velocity[n].setZero();
+      grid.increment[n].setZero();
+    });
+    for_each_body([&](auto& b, auto& o) {
+      if constexpr (IntegratorT::keeps_node_velocity) {
+        scatter_mass(b, o, grid);
+      } else {
+        scatter_momentum(b, o, grid, grid.velocity);
+      }
+    });
+    if constexpr (!IntegratorT::keeps_node_velocity) divide_by_mass(grid.velocity);
+  }
+  void assemble_forces() {
+    for_each_body([&](auto& b, auto& o) { scatter_force(b, o, grid, body_force); });
+  }
+  void divide_by_mass(std::vector<Vector<S>>& momentum) {
+    grid.for_each_active([&](int n) {
+      if (grid.mass[n] > 0) momentum[n] /= grid.mass[n];
+    });
+    boundary.constrain(momentum, grid);
+  }
+  void remap_momentum() {
+    grid.for_each_active([&](int n) { grid.mass[n] = 0, grid.strain_velocity[n].setZero(); });
+    for_each_body([&](auto& b, auto& o) { scatter_momentum(b, o, grid, grid.strain_velocity); });
+    divide_by_mass(grid.strain_velocity);
+  }
+  const std::vector<Vector<S>>& strain_velocity() const {
+    return stress_update == StressUpdate::modified_last ? grid.strain_velocity : grid.velocity;
+  }
+  void strain(const std::vector<Vector<S>>& velocity, Scalar dt) {
+    for_each_body([&](auto& b, auto&) {
+      const std::size_t bad = update_stress(b, grid, velocity, time, dt, partial_);
+      if (bad < b.size())
+        fail(b, bad, "has a volume or stress that is no longer a finite number",
+             "lower `safety`, or refine the grid there");
+    });
+  }
+  Scalar stable_step() {
+    if (steps % IntegratorT::step_interval == 0) {
+      stable_ = std::numeric_limits<Scalar>::max();
+      for_each_body([&](auto& b, auto&) { stable_ = std::min(stable_, mpm::stable_step(b, grid)); });
+      if (!(stable_ > 0)) for_each_body([&](auto& b, auto&) { blame(b); });
+    }
+    return safety * stable_;
+  }
+
+  /// First particle outside the grid by more than half a cell (or nowhere), or size().
+  template <class B>
+  std::size_t outside(const B& b) const {
+    std::int64_t bad = std::int64_t(b.size());
+    const Scalar margin = grid.cell() / 2;
+#pragma omp parallel for schedule(static) reduction(min : bad)
+    for (std::int64_t p = 0; p < std::int64_t(b.size()); ++p)
+      for (int d = 0; d < S::dimension; ++d)
+        if (!(b.x(d)[p] >= grid.origin()[d] - margin && b.x(d)[p] <= grid.upper(d) + margin)) bad = std::min(bad, p);
+    return std::size_t(bad);
+  }
+  template <class B>
+  void blame(const B& b) const {
+    for (std::size_t p = 0; p < b.size(); ++p) {
+      const auto moduli = b.law.tangent(b.state(p), b.relative_volume(p));
+      if (!std::isfinite(moduli.longitudinal) || !(moduli.longitudinal >= 0) || !std::isfinite(b.velocity(p).norm()))
+        fail(b, p, "allows no stable step (its speed of sound or velocity is not a number)",
+             "look at its stress in the last snapshot, and lower `safety`");
+    }
+  }
+  template <class B>
+  [[noreturn]] void fail(const B& b, std::size_t p, const char* what, const char* remedy) const {
+    std::ostringstream text;
+    text << "particle " << p << " of " << b.name << " at (";
+    for (int d = 0; d < S::dimension; ++d) text << (d ? ", " : "") << b.x(d)[p];
+    text << ") m " << what << ", in step " << steps << " at " << time << " s: " << remedy;
+    throw Error(text.str());
+  }
+
+  std::array<ParticleOrder, std::tuple_size_v<BodyList>> order_;
+  std::vector<double> partial_;
+  Scalar stable_ = 0;
+};
+
+}  // namespace mpm
