@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "scene.hpp"
+#include <mpm/io/info_file.hpp>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace blasting {
+namespace {
+
+using mpm::io::Choice;
+using mpm::io::InputError;
+using mpm::io::Parameters;
+using mpm::io::Range;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range positive{0, infinity, true};
+constexpr Range not_negative{0, infinity};
+constexpr Range any{};
+constexpr Range solid_density{100, 30000};  // refuses a density in g/cm^3 without its unit
+constexpr Range modulus{1e3, 1e13};
+
+Parameters hole_and_charge(Scene& s) {
+  auto& c = s.charge;
+  return {
+      {"model", Choice(s.model, {"quarter", "full"}), "", "quarter: one quadrant between symmetry rollers"},
+      {"hole.radius", &s.hole.radius, "mm", "radius of the blast hole", positive},
+      {"hole.x", &s.hole.x, "mm", "centre of the hole from the centre of the block (not 0: model full)", any},
+      {"hole.y", &s.hole.y, "mm", "the same, vertical", any},
+      {"charge.kind", Choice(c.kind, {"petn", "none"}), "", "explosive in the hole"},
+      {"charge.radius", &c.radius, "mm", "radius of the charge", positive},
+      {"charge.x", &c.x, "mm", "centre of the charge from the centre of the hole (not 0: model full)", any},
+      {"charge.y", &c.y, "mm", "the same, vertical", any},
+      {"charge.preset", Choice(c.preset, {"petn_1260", "petn_as_printed"}), "",
+       "JWL constants: at the density they fit, or density and speed as printed in the paper"},
+      {"charge.burn", Choice(c.burn, {"constant_volume", "programmed"}), "",
+       "all products at once, or lit from the charge's centre at the detonation velocity"},
+      {"charge.density", &c.density, "kg/m^3", "density of the charge", {100, 10000}},
+      {"charge.detonation_velocity", &c.detonation_velocity, "m/s", "speed of the programmed burn", {100, 20000}},
+      {"charge.A", &c.A, "GPa", "JWL pressure A", positive},
+      {"charge.B", &c.B, "GPa", "JWL pressure B", not_negative},
+      {"charge.R1", &c.R1, "", "JWL exponent R1", positive},
+      {"charge.R2", &c.R2, "", "JWL exponent R2", positive},
+      {"charge.omega", &c.omega, "", "JWL Grueneisen coefficient", positive},
+      {"charge.E0", &c.E0, "kJ/m^3", "JWL energy per initial volume", positive},
+      {"air.fill", &s.air.fill, "", "fill the hole around the charge with air"},
+      {"air.density", &s.air.density, "kg/m^3", "density of the air", {0, 100, true}},
+      {"air.energy", &s.air.energy, "kJ/m^3", "internal energy of the air per initial volume", positive},
+      {"gas.particles_per_edge", &s.gas.particles_per_edge, "", "gas particles along the edge of a cell", {1, 40}},
+  };
+}
+
+Parameters rock(Scene& s) {
+  auto& r = s.rock;
+  return {
+      {"block.side", &s.block.side, "m", "full side of the square block of rock", positive},
+      {"grid.cell", &s.grid.cell, "mm", "side of a cell of the background grid", positive},
+      {"rock.particle", &r.particle, "mm", "side of a rock particle", positive},
+      {"rock.law", Choice(r.law, {"jh2", "elastic"}), "", "Johnson-Holmquist 2, or linear elastic without damage"},
+      {"rock.preset", Choice(r.preset, {"paper", "granite_1200", "granite_3000"}), "", "constants of the rock"},
+      {"rock.density", &r.density, "kg/m^3", "initial density", solid_density},
+      {"rock.young", &r.young, "MPa", "Young's modulus", modulus},
+      {"rock.poisson", &r.poisson, "", "Poisson's ratio", {0, 0.49}},
+      {"rock.A", &r.A, "", "JH-2 intact strength A", not_negative},
+      {"rock.B", &r.B, "", "JH-2 fractured strength B", not_negative},
+      {"rock.C", &r.C, "", "JH-2 strain-rate coefficient C", not_negative},
+      {"rock.M", &r.M, "", "JH-2 fractured exponent M", not_negative},
+      {"rock.N", &r.N, "", "JH-2 intact exponent N", not_negative},
+      {"rock.tensile_pressure", &r.tensile_pressure, "MPa", "JH-2 largest tensile pressure T", positive},
+      {"rock.sigma_hel", &r.sigma_hel, "MPa", "JH-2 equivalent stress at the Hugoniot elastic limit", positive},
+      {"rock.p_hel", &r.p_hel, "MPa", "JH-2 pressure at the Hugoniot elastic limit", positive},
+      {"rock.beta", &r.beta, "", "JH-2 share of the lost elastic energy that becomes pressure", {0, 1}},
+      {"rock.D1", &r.D1, "", "JH-2 damage coefficient D1", positive},
+      {"rock.D2", &r.D2, "", "JH-2 damage exponent D2", not_negative},
+      {"rock.K1", &r.K1, "GPa", "bulk modulus, linear term of the pressure", modulus},
+      {"rock.K2", &r.K2, "GPa", "quadratic term of the pressure", any},
+      {"rock.K3", &r.K3, "GPa", "cubic term of the pressure", any},
+      {"rock.max_fracture_strength", &r.max_fracture_strength, "", "JH-2 largest fractured strength", not_negative},
+      {"rock.tensile.law", Choice(r.tensile.law, {"rankine", "none"}), "",
+       "cracking in tension beside JH-2 (the elastic rock has none)"},
+      {"rock.tensile.strength", &r.tensile.strength, "MPa", "tensile strength, the mean of its scatter", positive},
+      {"rock.tensile.fracture_energy", &r.tensile.fracture_energy, "J/m^2", "energy to open a unit area of crack",
+       positive},
+      {"rock.tensile.weibull_modulus", &r.tensile.weibull_modulus, "", "scatter of the strength; 0: none", {0, 1000}},
+      {"seed", &s.seed, "", "seed of the scatter", not_negative},
+  };
+}
+
+Parameters stages(Scene& s) {
+  return {
+      {"stress.horizontal", &s.stress.horizontal, "MPa", "in-situ stress along x, compression positive", {0, 1e9}},
+      {"stress.vertical", &s.stress.vertical, "MPa", "in-situ stress along y, compression positive", {0, 1e9}},
+      {"stress.start", Choice(s.stress.start, {"kirsch", "far_field"}), "", "stress field the relaxation starts from"},
+      {"relaxation.tolerance",
+       &s.relaxation.tolerance,
+       "",
+       "unbalanced force at which the rock is at rest",
+       {0, 1, true}},
+      {"relaxation.max_steps", &s.relaxation.max_steps, "", "largest number of relaxation steps", {1, 1e8}},
+      {"relaxation.damping", Choice(s.relaxation.damping, {"adaptive", "fixed"}), "", "damping of the relaxation"},
+      {"step.safety", &s.step.safety, "", "share of the largest stable step", {0, 1, true}},
+      {"step.update", Choice(s.step.update, {"usl", "musl", "usf"}), "",
+       "stress updated last, modified last, or first"},
+      {"step.flip", &s.step.flip, "", "share of FLIP in the FLIP-PIC blend", {0, 1}},
+      {"end_time", &s.end_time, "us", "simulated time of the blast", {0, 1, true}},
+      {"output.snapshots", &s.output.snapshots, "", "snapshots of the blast, the last at the end time", {0, 100000}},
+      {"output.probes", &s.output.probes, "m", "distances from the hole's centre along x, with commas, or none",
+       positive},
+      {"precision", Choice(s.precision, {"double", "float"}), "", "numbers of the solver"},
+  };
+}
+
+[[noreturn]] void fail(const char* key, double value, const char* unit, const std::string& problem) {
+  throw InputError(std::string(key) + " = " + mpm::io::format_quantity(value, unit) + ": " + problem);
+}
+
+std::string millimetres(double metres) {
+  return mpm::io::format_quantity(metres, "mm");
+}
+
+void check_hole(const Scene& s) {
+  // The body-fitted rings around the hole need this many radii of rock before the block turns square.
+  constexpr double room = 3;
+  const auto inside = [&](const char* key, double centre) {
+    const double gap = s.block.side / 2 - std::abs(centre);
+    if (gap >= room * s.hole.radius) return;
+    const std::string where =
+        gap < s.hole.radius ? "the hole leaves the block" : "the hole is too close to the block's side";
+    const std::string reach = "its centre must stay " + millimetres(room * s.hole.radius) + " (3 radii) inside";
+    if (centre == 0)
+      fail("block.side", s.block.side, "m", where + "; " + reach + ", raise block.side or lower hole.radius");
+    fail(key, centre, "mm", where + "; " + reach + " a block.side of " + mpm::io::format_quantity(s.block.side, "m"));
+  };
+  inside("hole.x", s.hole.x);
+  inside("hole.y", s.hole.y);
+}
+
+void check_charge(const Scene& s) {
+  if (s.charge.kind == ChargeKind::none) return;
+  const std::string hole = "hole.radius = " + millimetres(s.hole.radius);
+  if (s.charge.radius > s.hole.radius)
+    fail("charge.radius", s.charge.radius, "mm", "the charge is wider than the hole, keep it at most " + hole);
+  const double offset = std::hypot(s.charge.x, s.charge.y);
+  if (offset + s.charge.radius > s.hole.radius * (1 + 1e-12))
+    fail(s.charge.x != 0 ? "charge.x" : "charge.y", s.charge.x != 0 ? s.charge.x : s.charge.y, "mm",
+         "the charge sticks out of the hole, keep its offset plus charge.radius at most " + hole);
+}
+
+void check_symmetry(const Scene& s) {
+  if (s.model == Model::full) return;
+  const std::pair<const char*, double> offsets[] = {
+      {"hole.x", s.hole.x}, {"hole.y", s.hole.y}, {"charge.x", s.charge.x}, {"charge.y", s.charge.y}};
+  for (const auto& [key, value] : offsets)
+    if (value != 0) fail(key, value, "mm", "a quarter model needs a symmetric scene, set model to full");
+}
+
+void check_resolution(const Scene& s) {
+  if (s.grid.cell > s.hole.radius)
+    fail("grid.cell", s.grid.cell, "mm",
+         "the hole falls through the grid, keep the cell at most hole.radius = " + millimetres(s.hole.radius));
+  if (s.rock.particle > s.grid.cell)
+    fail("rock.particle", s.rock.particle, "mm",
+         "a rock particle is wider than a cell, keep it at most grid.cell = " + millimetres(s.grid.cell));
+  constexpr double most = 1e9;  // no machine this program runs on holds more
+  const double particles = std::pow(s.block.side / s.rock.particle, 2) / (s.model == Model::quarter ? 4 : 1);
+  if (particles > most)
+    fail("rock.particle", s.rock.particle, "mm",
+         "this makes more than 1e9 rock particles, raise it or lower block.side");
+  const double end = s.block.side / 2 - s.hole.x;
+  for (const double probe : s.output.probes)
+    if (probe <= s.hole.radius || probe >= end)
+      fail("output.probes", probe, "m",
+           "not in the rock, keep it between " + millimetres(s.hole.radius) + " and " + millimetres(end));
+}
+
+}  // namespace
+
+Parameters parameters(Scene& scene) {
+  Parameters all = hole_and_charge(scene);
+  for (auto& parameter : rock(scene)) all.push_back(std::move(parameter));
+  for (auto& parameter : stages(scene)) all.push_back(std::move(parameter));
+  return all;
+}
+
+void validate(const Scene& scene) {
+  Scene copy = scene;
+  for (const auto& parameter : parameters(copy)) mpm::io::check_range(parameter);
+  check_charge(scene);
+  check_hole(scene);
+  check_symmetry(scene);
+  check_resolution(scene);
+}
+
+void write_scene(const Scene& scene, const std::filesystem::path& path) {
+  Scene copy = scene;
+  std::ofstream file(path);
+  file << "; Every parameter of this run. A bare number is SI; stresses are compression positive.\n";
+  mpm::io::write_info(file, parameters(copy));
+  file.flush();
+  if (!file) throw InputError("cannot write " + mpm::io::shown(path.string()) + ": check free space and permissions");
+}
+
+}  // namespace blasting
