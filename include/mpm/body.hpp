@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace mpm {
@@ -55,9 +56,13 @@ class Body {
 
   std::size_t size() const { return columns_.size(); }
 
-  /// Appends a particle at rest or moving, in the law's initial state at relative volume J (mass = rho0 V / J).
+  /// Appends a particle at rest or moving, in the law's initial state at relative volume J (mass = rho0 V / J). Throws
+  /// Error on a volume, J or density that is not positive.
   void add(const Vector<SpaceT>& position, Scalar particle_volume, const Vector<SpaceT>& velocity, Scalar J = 1) {
     const std::size_t p = size();
+    require_positive("volume", double(particle_volume));
+    require_positive("relative volume", double(J));
+    require_positive("density", double(law.density));
     columns_.resize(p + 1);
     for (int d = 0; d < dimension; ++d) x(d)[p] = position[d], v(d)[p] = velocity[d];
     mass()[p] = Scalar(law.density) * particle_volume / J;
@@ -134,6 +139,13 @@ class Body {
   static constexpr int state_column = 2 * dimension + 2;
   static constexpr int F_column = state_column + stress_count + history_count;
 
+  void require_positive(const char* what, double value) const {
+    if (value > 0 && std::isfinite(value)) return;
+    std::ostringstream text;
+    text << "body " << name << ": particle " << size() << " would have the " << what << ' ' << value
+         << "; it must be positive";
+    throw Error(text.str());
+  }
   static constexpr int stress_slot(int k) { return fluid ? 0 : SpaceT::stress_components[k]; }
   Vector<SpaceT> vector(std::size_t p, int first) const {
     Vector<SpaceT> value;

@@ -14,6 +14,15 @@
 #include <mpm/shapes/linear.hpp>
 #include <mpm/shapes/ugimp.hpp>
 
+#include <mpm/materials/hypoelastic.hpp>
+#include <mpm/materials/johnson_holmquist2.hpp>
+#include <mpm/materials/jones_wilkins_lee.hpp>
+#include <mpm/materials/neo_hookean.hpp>
+#include <mpm/materials/polynomial_eos.hpp>
+#include <mpm/materials/rankine_softening.hpp>
+
+#include <mpm/geometry/lattice.hpp>
+
 #include <mpm/spaces/axisymmetric.hpp>
 #include <mpm/spaces/plane_strain.hpp>
 #include <mpm/spaces/radial.hpp>

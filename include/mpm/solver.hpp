@@ -23,6 +23,9 @@ class Solver {
   template <int I>
   using BodyAt = std::tuple_element_t<I, BodyList>;
   static constexpr StressUpdate stress_update = IntegratorT::stress_update;
+  static_assert(
+      requires(IntegratorT i, Grid<S> g, Scalar dt) { i.advance(g, dt); },
+      "mpm::Integrator: `advance(grid, dt)` is missing, which Solver::step calls to move the nodes");
 
   Grid<S> grid;
   BodyList bodies;
@@ -59,7 +62,7 @@ class Solver {
     for_each_body([&](auto& b, auto&) { gather_velocity(b, grid, integrator); });
     if constexpr (stress_update == StressUpdate::modified_last) remap_momentum();
     if constexpr (stress_update != StressUpdate::first) strain(strain_velocity(), dt);
-    for_each_body([&](auto& b, auto&) { convect(b, grid, strain_velocity(), dt); });
+    for_each_body([&](auto& b, auto&) { move(b, dt); });
     time += dt;
     ++steps;
     return dt;
@@ -114,8 +117,8 @@ class Solver {
   void locate_particles() {
     grid.deactivate_all();
     for_each_body([&](auto& b, auto& o) {
-      if (const std::size_t p = outside(b); p < b.size())
-        fail(b, p, "has left the grid", "enlarge the grid, or close its faces with walls");
+      if (steps == 0) check_policies(b);
+      if (const std::size_t p = first_unfit(b); p < b.size()) fail_unfit(b, p);
       locate(b, grid, o);
     });
     grid.sort_active();
@@ -165,28 +168,71 @@ class Solver {
     if (steps % IntegratorT::step_interval == 0) {
       stable_ = std::numeric_limits<Scalar>::max();
       for_each_body([&](auto& b, auto&) { stable_ = std::min(stable_, mpm::stable_step(b, grid)); });
-      if (!(stable_ > 0)) for_each_body([&](auto& b, auto&) { blame(b); });
+      if (!(stable_ > 0)) {
+        for_each_body([&](auto& b, auto&) { blame(b); });
+        throw Error("no particle allows a stable step, in step " + std::to_string(steps));
+      }
     }
     return safety * stable_;
   }
 
-  /// First particle outside the grid by more than half a cell (or nowhere), or size().
   template <class B>
-  std::size_t outside(const B& b) const {
-    std::int64_t bad = std::int64_t(b.size());
+  void move(B& b, Scalar dt) {
+    if (const std::size_t p = convect(b, grid, strain_velocity(), dt); p < b.size())
+      fail(b, p, "has a domain turned inside out",
+           "refine the grid there, lower `safety`, or take a shape that cannot invert, such as mpm::Cpdi");
+  }
+
+  template <class B>
+  void check_policies(const B& b) const {
+    if (b.size() == 0) return;
+    if constexpr (requires { b.shape.check(b, grid); }) b.shape.check(b, grid);
+    const auto moduli = b.law.tangent(b.law.template initial<Scalar>(), Scalar(1));
+    if (std::isfinite(moduli.longitudinal) && moduli.longitudinal >= 0 && moduli.shear >= 0) return;
+    std::ostringstream text;
+    text << "body " << b.name << ": the law's stiffness at rest is no finite positive number (longitudinal "
+         << moduli.longitudinal << " Pa, shear " << moduli.shear
+         << " Pa); look at its moduli, and keep Poisson's ratio between -1 and 0.5";
+    throw Error(text.str());
+  }
+
+  /// Outside the grid by more than half a cell, or nowhere.
+  template <class B>
+  bool outside(const B& b, std::size_t p) const {
     const Scalar margin = grid.cell() / 2;
+    bool inside = true;
+    for (int d = 0; d < S::dimension; ++d)
+      inside = inside && b.x(d)[p] >= grid.origin()[d] - margin && b.x(d)[p] <= grid.upper(d) + margin;
+    return !inside;
+  }
+  /// First particle that no step can start from, or size().
+  template <class B>
+  std::size_t first_unfit(const B& b) const {
+    std::int64_t bad = std::int64_t(b.size());
 #pragma omp parallel for schedule(static) reduction(min : bad)
-    for (std::int64_t p = 0; p < std::int64_t(b.size()); ++p)
-      for (int d = 0; d < S::dimension; ++d)
-        if (!(b.x(d)[p] >= grid.origin()[d] - margin && b.x(d)[p] <= grid.upper(d) + margin)) bad = std::min(bad, p);
+    for (std::int64_t p = 0; p < std::int64_t(b.size()); ++p) {
+      bool fit = b.volume()[p] > 0 && !outside(b, std::size_t(p));
+      for (int d = 0; d < S::dimension; ++d) fit = fit && std::isfinite(b.v(d)[p]);
+      if (!fit) bad = std::min(bad, p);
+    }
     return std::size_t(bad);
+  }
+  template <class B>
+  [[noreturn]] void fail_unfit(const B& b, std::size_t p) const {
+    if (outside(b, p)) fail(b, p, "has left the grid", "enlarge the grid, or close its faces with walls");
+    if (!(b.volume()[p] > 0))
+      fail(b, p, "has a volume that is not positive", "lower `safety`, or refine the grid there");
+    fail(b, p, "has a velocity that is no finite number",
+         "look at its stress in the last snapshot, and lower `safety`");
   }
   template <class B>
   void blame(const B& b) const {
     for (std::size_t p = 0; p < b.size(); ++p) {
       const auto moduli = b.law.tangent(b.state(p), b.relative_volume(p));
-      if (!std::isfinite(moduli.longitudinal) || !(moduli.longitudinal >= 0) || !std::isfinite(b.velocity(p).norm()))
-        fail(b, p, "allows no stable step (its speed of sound or velocity is not a number)",
+      if (!std::isfinite(trace(b.stress(p)) + equivalent_stress(b.stress(p))))
+        fail(b, p, "has a stress that is no finite number", "lower `safety`, or look at the parameters of its law");
+      if (!std::isfinite(moduli.longitudinal + moduli.shear) || !(moduli.longitudinal >= 0))
+        fail(b, p, "allows no stable step, since its stiffness is no finite positive number",
              "look at its stress in the last snapshot, and lower `safety`");
     }
   }

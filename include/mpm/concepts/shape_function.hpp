@@ -24,7 +24,9 @@ enum class DomainMotion {
 ///     sum x_I (x) grad w_I = 1 wherever the domain lies inside the grid;
 ///   - `reach(body, p)`: the half extent of its domain along each axis, m;
 ///   - `permute(order)`: follows a reordering of the particles.
-///   - for DomainMotion::corners: `convect(body, grid, dt)`.
+///   - for DomainMotion::corners: `convect(body, grid, velocity, dt)`, which returns the first particle whose domain
+///     has inverted, or body.size();
+///   - optional `check(body, grid)`: throws Error before the first step when its parameters are not fit for work.
 template <class S>
 concept ShapeFunction = std::default_initializable<S> && requires(S shape, std::span<const std::uint32_t> order) {
   { S::domain_motion } -> std::convertible_to<DomainMotion>;

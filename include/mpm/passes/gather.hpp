@@ -43,15 +43,22 @@ void gather_velocity(Body& body, const Grid<S>& grid, const Integrator& integrat
 }
 
 /// Positions and domains ride the grid: x_p += dt sum w_Ip v_I, corners with the field that strains the particles.
+/// Returns the first particle whose domain has inverted, or body.size().
 template <class Body, class S>
-void convect(Body& body, const Grid<S>& grid, const std::vector<Vector<S>>& strain_velocity, typename S::Scalar dt) {
+std::size_t convect(Body& body, const Grid<S>& grid, const std::vector<Vector<S>>& strain_velocity,
+                    typename S::Scalar dt) {
   if constexpr (Body::Shape::domain_motion == DomainMotion::corners) {
-    body.shape.convect(body, grid, strain_velocity, dt);
+    static_assert(
+        requires { body.shape.convect(body, grid, strain_velocity, dt); },
+        "mpm::ShapeFunction: domain_motion is `corners`, so the shape must have the member "
+        "convect(body, grid, velocity, dt), which moves its domains");
+    return body.shape.convect(body, grid, strain_velocity, dt);
   } else {
     for_each_particle(body, [&](std::size_t p) {
       const Vector<S> v = interpolate<S>(make_stencil(body, p, grid), grid.velocity);
       for (int d = 0; d < S::dimension; ++d) body.x(d)[p] += dt * v[d];
     });
+    return body.size();
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/shapes/tensor_product.hpp>
+#include <limits>
 
 namespace mpm {
 
@@ -48,6 +49,10 @@ struct Cpdi {
       return std::array<Scalar, 2>{std::abs(F.xx) * l0 + std::abs(F.xy) * l1,
                                    std::abs(F.yx) * l0 + std::abs(F.yy) * l1};
     }
+  }
+  template <class Body, class S>
+  void check(const Body& body, const Grid<S>&) const {
+    shapes::require_half_size(body, half_size, std::numeric_limits<double>::infinity());
   }
   void permute(std::span<const std::uint32_t>) {}
 

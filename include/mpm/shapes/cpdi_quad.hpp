@@ -2,7 +2,9 @@
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/shapes/cpdi.hpp>
+#include <algorithm>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -61,7 +63,7 @@ struct CpdiQuad {
 
   template <class Body, class S, class Out>
   void stencil(const Body&, std::size_t p, const Grid<S>& grid, Out& out) const {
-    static_assert(S::dimension == 2, "mpm::CpdiQuad is for two dimensions");
+    static_assert(S::dimension == 2 && !S::hoop, "mpm::CpdiQuad is for two plane dimensions");
     using Scalar = typename S::Scalar;
     const auto k = weights(p);
     for (int c = 0; c < 4; ++c) {
@@ -78,15 +80,26 @@ struct CpdiQuad {
       for (int d = 0; d < 2; ++d) r[d] = std::max(r[d], std::abs(Scalar(corner[c][d]) - body.x(d)[p]));
     return r;
   }
+  template <class Body, class S>
+  void check(const Body& body, const Grid<S>&) const {
+    if (quad.size() != body.size())
+      throw Error("body " + body.name + ": " + std::to_string(body.size()) + " particles but " +
+                  std::to_string(quad.size()) + " quadrilaterals; add each particle with add_quad");
+    for (std::size_t p = 0; p < quad.size(); ++p)
+      if (!(weights(p).area > 0))
+        throw Error("body " + body.name + ": quadrilateral " + std::to_string(p) +
+                    " has no area; give its corners counter-clockwise");
+  }
   void permute(std::span<const std::uint32_t> order) {
     scratch_.resize(quad.size());
     for (std::size_t i = 0; i < quad.size(); ++i) scratch_[i] = quad[order[i]];
     quad.swap(scratch_);
   }
 
-  /// The corners ride the grid; positions and volumes of the particles are those of their domains.
+  /// The corners ride the grid; positions and volumes of the particles are those of their domains. Returns the first
+  /// particle whose quadrilateral has lost its area, or body.size().
   template <class Body, class S>
-  void convect(Body& body, const Grid<S>& grid, const std::vector<Vector<S>>& velocity, typename S::Scalar dt) {
+  std::size_t convect(Body& body, const Grid<S>& grid, const std::vector<Vector<S>>& velocity, typename S::Scalar dt) {
     const std::int64_t corners = std::int64_t(corner.size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t c = 0; c < corners; ++c) {
@@ -98,12 +111,19 @@ struct CpdiQuad {
       for (int d = 0; d < 2; ++d) x[d] += double(dt * v[d]);
     }
     const std::int64_t count = std::int64_t(body.size());
-#pragma omp parallel for schedule(static)
+    std::int64_t bad = count;
+#pragma omp parallel for schedule(static) reduction(min : bad)
     for (std::int64_t p = 0; p < count; ++p) {
+      const double area = weights(std::size_t(p)).area;
+      if (!(area > 0)) {
+        bad = std::min(bad, p);
+        continue;
+      }
       const auto x = centroid(std::size_t(p));
       for (int d = 0; d < 2; ++d) body.x(d)[p] = typename S::Scalar(x[d]);
-      body.volume()[p] = typename S::Scalar(weights(std::size_t(p)).area);
+      body.volume()[p] = typename S::Scalar(area);
     }
+    return std::size_t(bad);
   }
   /// Adds the pressure on the free edges to the nodal forces, with the corner weights of the internal force, so that a
   /// constant stress balances it exactly.

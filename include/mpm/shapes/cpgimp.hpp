@@ -2,6 +2,7 @@
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/shapes/tensor_product.hpp>
+#include <limits>
 
 namespace mpm {
 
@@ -58,6 +59,10 @@ struct Cpgimp {
     auto r = axis_stretch<Body::dimension>(body.F(p));
     for (int d = 0; d < Body::dimension; ++d) r[d] *= typename Body::Scalar(half_size[d]);
     return r;
+  }
+  template <class Body, class S>
+  void check(const Body& body, const Grid<S>&) const {
+    shapes::require_half_size(body, half_size, std::numeric_limits<double>::infinity());
   }
   void permute(std::span<const std::uint32_t>) {}
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/error.hpp>
 #include <mpm/grid.hpp>
 #include <mpm/stencil.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 namespace mpm::shapes {
 
@@ -67,6 +69,19 @@ void tensor_product(const std::array<Axis, S::dimension>& axis, const Grid<S>& g
         }
       }
     }
+  }
+}
+
+/// Throws Error unless the half edges are positive and at most `largest`, in m.
+template <class Body>
+void require_half_size(const Body& body, const std::array<double, 3>& half_size, double largest) {
+  for (int d = 0; d < Body::dimension; ++d) {
+    if (half_size[d] > 0 && half_size[d] <= largest) continue;
+    std::ostringstream text;
+    text << "body " << body.name << ": shape.half_size[" << d << "] is " << half_size[d] << " m and must be positive"
+         << (std::isfinite(largest) ? " and at most half a cell" : "")
+         << "; set it to half the spacing of the particles";
+    throw Error(text.str());
   }
 }
 

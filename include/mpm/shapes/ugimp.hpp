@@ -30,6 +30,10 @@ struct Ugimp {
     for (int d = 0; d < Body::dimension; ++d) r[d] = typename Body::Scalar(half_size[d]);
     return r;
   }
+  template <class Body, class S>
+  void check(const Body& body, const Grid<S>& grid) const {
+    shapes::require_half_size(body, half_size, 0.5 * (1 + 1e-6) * double(grid.cell()));
+  }
   void permute(std::span<const std::uint32_t>) {}
 };
 
