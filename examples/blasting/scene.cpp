@@ -25,7 +25,7 @@ constexpr Range modulus{1e3, 1e13};
 Parameters hole_and_charge(Scene& s) {
   auto& c = s.charge;
   return {
-      {"model", Choice(s.model, {"quarter", "full"}), "", "quarter: one quadrant between symmetry rollers"},
+      {"model", Choice(s.model, {"full", "quarter"}), "", "quarter: one quadrant between symmetry rollers"},
       {"hole.radius", &s.hole.radius, "mm", "radius of the blast hole", positive},
       {"hole.x", &s.hole.x, "mm", "centre of the hole from the centre of the block (not 0: model full)", any},
       {"hole.y", &s.hole.y, "mm", "the same, vertical", any},
@@ -99,7 +99,6 @@ Parameters stages(Scene& s) {
        "unbalanced force at which the rock is at rest",
        {0, 1, true}},
       {"relaxation.max_steps", &s.relaxation.max_steps, "", "largest number of relaxation steps", {1, 1e8}},
-      {"relaxation.damping", Choice(s.relaxation.damping, {"adaptive", "fixed"}), "", "damping of the relaxation"},
       {"step.safety", &s.step.safety, "", "share of the largest stable step", {0, 1, true}},
       {"step.update", Choice(s.step.update, {"usl", "musl", "usf"}), "",
        "stress updated last, modified last, or first"},
@@ -108,7 +107,6 @@ Parameters stages(Scene& s) {
       {"output.snapshots", &s.output.snapshots, "", "snapshots of the blast, the last at the end time", {0, 100000}},
       {"output.probes", &s.output.probes, "m", "distances from the hole's centre along x, with commas, or none",
        positive},
-      {"precision", Choice(s.precision, {"double", "float"}), "", "numbers of the solver"},
   };
 }
 

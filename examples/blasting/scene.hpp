@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/geometry/holed_block.hpp>
 #include <mpm/io/parameters.hpp>
 #include <filesystem>
 #include <optional>
@@ -8,7 +9,7 @@
 // The scene of one blast hole in pre-stressed rock (Xiao et al. 2024, Processes 12, 1048, sections 3.3 and 3.4).
 namespace blasting {
 
-enum class Model { quarter, full };
+using mpm::geometry::Model;
 enum class ChargeKind { petn, none };
 enum class ChargePreset { petn_1260, petn_as_printed };
 enum class Burn { constant_volume, programmed };
@@ -16,9 +17,7 @@ enum class RockLaw { jh2, elastic };
 enum class RockPreset { paper, granite_1200, granite_3000 };
 enum class TensileLaw { rankine, none };
 enum class StressStart { kirsch, far_field };
-enum class Damping { adaptive, fixed };
 enum class StressUpdate { usl, musl, usf };
-enum class Precision { double_precision, single_precision };
 
 /// Every parameter of a run, in SI. The member initialisers are the default scene. An optional member, when set,
 /// replaces the preset's value. Meanings, units and valid values: `parameters`.
@@ -74,7 +73,6 @@ struct Scene {
   struct Relaxation {
     double tolerance = 1e-6;
     int max_steps = 20000;
-    Damping damping = Damping::adaptive;
   } relaxation;
 
   struct Gas {
@@ -93,8 +91,6 @@ struct Scene {
     int snapshots = 6;
     std::vector<double> probes{0.1, 0.2};
   } output;
-
-  Precision precision = Precision::double_precision;
 };
 
 /// The one list of keys, bound to the members of `scene`; its values are the defaults where `scene` is a fresh one.

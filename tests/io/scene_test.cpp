@@ -62,7 +62,7 @@ TEST(Scene, DefaultIsThePaperAndValid) {
 
 TEST(Scene, SetReachesEveryKindOfMember) {
   const Scene scene = with({"hole.x = -5 mm", "charge.kind=none", "charge.density=1.32 g/cm^3", "rock.K2=-4500 GPa",
-                            "rock.tensile.law=none", "seed=42", "precision=float", "output.probes=10 cm, 0.3",
+                            "rock.tensile.law=none", "seed=42", "output.probes=10 cm, 0.3",
                             "air.fill=false", "step.update=usf", "model=full", "rock.preset=granite_3000"});
   EXPECT_EQ(scene.hole.x, -0.005);
   EXPECT_EQ(scene.charge.kind, blasting::ChargeKind::none);
@@ -70,7 +70,6 @@ TEST(Scene, SetReachesEveryKindOfMember) {
   EXPECT_EQ(scene.rock.K2, -4.5e12);
   EXPECT_EQ(scene.rock.tensile.law, blasting::TensileLaw::none);
   EXPECT_EQ(scene.seed, 42);
-  EXPECT_EQ(scene.precision, blasting::Precision::single_precision);
   EXPECT_EQ(scene.output.probes, (std::vector<double>{0.1, 0.3}));
   EXPECT_FALSE(scene.air.fill);
   EXPECT_EQ(scene.step.update, blasting::StressUpdate::usf);
@@ -100,7 +99,7 @@ TEST(Scene, EachKeyChangesItselfAndNothingElse) {
 
 TEST(Scene, AWrittenSceneReproducesTheRun) {
   const Scene scene = with({"stress.horizontal=13.7 MPa", "charge.A=573.1 GPa", "rock.D1=0.005", "output.probes=none",
-                            "rock.law=elastic", "end_time=123.456789 us", "precision=float"});
+                            "rock.law=elastic", "end_time=123.456789 us"});
   Options options;
   options.scene = ::testing::TempDir() + "a_written_scene.info";
   blasting::write_scene(scene, options.scene);

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "laws.hpp"
+#include <mpm/io/units.hpp>
+#include <cmath>
+
+namespace blasting {
+namespace {
+
+CrackingRock preset(RockPreset name) {
+  switch (name) {
+    case RockPreset::granite_1200:
+      return mpm::granite_1200();
+    case RockPreset::granite_3000:
+      return mpm::granite_3000();
+    case RockPreset::paper:
+      break;
+  }
+  return mpm::granite_paper();
+}
+
+void replace(double& value, const std::optional<double>& by) {
+  if (by) value = *by;
+}
+
+}  // namespace
+
+template <>
+CrackingRock rock_law<CrackingRock>(const Scene& scene) {
+  const auto& r = scene.rock;
+  CrackingRock law = preset(r.preset);
+  replace(law.density, r.density), replace(law.young, r.young), replace(law.poisson, r.poisson);
+  replace(law.A, r.A), replace(law.B, r.B), replace(law.C, r.C), replace(law.M, r.M), replace(law.N, r.N);
+  replace(law.tensile_pressure, r.tensile_pressure);
+  replace(law.sigma_hel, r.sigma_hel), replace(law.p_hel, r.p_hel), replace(law.beta, r.beta);
+  replace(law.D1, r.D1), replace(law.D2, r.D2);
+  replace(law.K1, r.K1), replace(law.K2, r.K2), replace(law.K3, r.K3);
+  replace(law.smax_fracture, r.max_fracture_strength);
+  law.tension = {.strength = r.tensile.strength, .fracture_energy = r.tensile.fracture_energy};
+  return law;
+}
+
+template <>
+CrushingRock rock_law<CrushingRock>(const Scene& scene) {
+  return rock_law<CrackingRock>(scene);
+}
+
+template <>
+ElasticRock rock_law<ElasticRock>(const Scene& scene) {
+  const CrushingRock rock = rock_law<CrushingRock>(scene);
+  return {.density = rock.density, .young = rock.young, .poisson = rock.poisson};
+}
+
+mpm::JonesWilkinsLee charge_law(const Scene& scene) {
+  const auto& c = scene.charge;
+  auto law = c.preset == ChargePreset::petn_1260 ? mpm::petn_1260() : mpm::petn_as_printed();
+  replace(law.density, c.density), replace(law.initial_energy, c.E0), replace(law.omega, c.omega);
+  replace(law.A, c.A), replace(law.B, c.B), replace(law.R1, c.R1), replace(law.R2, c.R2);
+  if (c.burn == Burn::programmed) {
+    const double printed = law.detonation_velocity;
+    law = law.with_own_detonation();
+    if (c.preset == ChargePreset::petn_as_printed) law.detonation_velocity = printed;
+    replace(law.detonation_velocity, c.detonation_velocity);
+  }
+  return law;
+}
+
+mpm::PolynomialEos air_law(const Scene& scene) {
+  auto law = mpm::air();
+  law.density = scene.air.density;
+  law.initial_energy = scene.air.energy;
+  return law;
+}
+
+double largest_tensile_strength(const Scene& scene) {
+  const auto law = rock_law<CrackingRock>(scene);
+  const double young = law.young_in_tension(), size = scene.rock.particle;
+  const double largest = law.tension.largest_strength(young, size);
+  if (law.tension.strength > largest)
+    throw mpm::io::InputError(
+        "rock.tensile.fracture_energy = " + mpm::io::format_quantity(law.tension.fracture_energy, "J/m^2") +
+        ": a particle of rock.particle = " + mpm::io::format_quantity(size, "mm") +
+        " would snap back as it cracks; keep particles below " +
+        mpm::io::format_quantity(law.tension.largest_size(young, law.tension.strength), "mm") +
+        ", or raise the fracture energy");
+  return largest;
+}
+
+}  // namespace blasting

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "laws.hpp"
+#include "pictures.hpp"
+#include "scene.hpp"
+#include "stages.hpp"
+#include "summary.hpp"
+#include <mpm/analysis/crack_measures.hpp>
+#include <mpm/analysis/polar.hpp>
+#include <mpm/io/csv.hpp>
+#include <mpm/io/snapshot.hpp>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+// What a run writes: snapshots, tables, pictures, and the figures of its summary.
+namespace blasting {
+
+/// Copies of the model that make the full plane.
+inline double multiplicity(const Scene& scene) {
+  return scene.model == Model::quarter ? 4 : 1;
+}
+
+/// Radial and hoop stress of particle p about the hole's centre, Pa.
+template <class Body>
+mpm::analysis::PolarStress polar_stress(const Body& body, std::size_t p, const Scene& scene) {
+  const auto s = body.stress(p);
+  const double theta = std::atan2(body.x(1)[p] - scene.hole.y, body.x(0)[p] - scene.hole.x);
+  return mpm::analysis::to_polar({s.xx, s.yy, s.xy}, theta);
+}
+
+/// Appends a body's particles as cells, quadrilaterals where they have corners, with all their fields.
+template <class Body>
+void append_cells(mpm::io::UnstructuredGrid& grid, const Body& body, int number, const Scene& scene) {
+  const std::int64_t first = static_cast<std::int64_t>(grid.points.size() / 3);
+  if constexpr (requires { body.shape.corner; })
+    for (const auto& x : body.shape.corner) grid.points.insert(grid.points.end(), {x[0], x[1], 0});
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    if constexpr (requires { body.shape.quad; }) {
+      for (const auto c : body.shape.quad[p]) grid.connectivity.push_back(first + c);
+      grid.types.push_back(static_cast<std::uint8_t>(mpm::io::CellType::quad));
+    } else {
+      grid.points.insert(grid.points.end(), {body.x(0)[p], body.x(1)[p], 0});
+      grid.connectivity.push_back(first + static_cast<std::int64_t>(p));
+      grid.types.push_back(static_cast<std::uint8_t>(mpm::io::CellType::vertex));
+    }
+    grid.offsets.push_back(static_cast<std::int64_t>(grid.connectivity.size()));
+    const auto s = body.stress(p);
+    const auto polar = polar_stress(body, p, scene);
+    const auto damage = damage_of(body.state(p));
+    const auto put = [&](std::size_t k, std::initializer_list<double> values) {
+      for (const double v : values) grid.fields[k].values.push_back(static_cast<float>(v));
+    };
+    put(0, {double(number)});
+    put(1, {-trace(s) / 3});
+    put(2, {polar.rr});
+    put(3, {polar.tt});
+    put(4, {std::max(damage.crushed, damage.cracked)});
+    put(5, {damage.crushed});
+    put(6, {damage.cracked});
+    put(7, {body.mass()[p] / body.volume()[p]});
+    put(8, {body.v(0)[p], body.v(1)[p], 0});
+    put(9, {s.xx, s.xy, s.zx, s.xy, s.yy, s.yz, s.zx, s.yz, s.zz});
+  }
+}
+
+/// Everything a solver holds, for ParaView: stresses in Pa, tension positive; pressure, Pa, compression positive.
+template <class Solver>
+mpm::io::UnstructuredGrid snapshot_of(Solver& solver, const Scene& scene) {
+  mpm::io::UnstructuredGrid grid;
+  for (const char* name :
+       {"body", "pressure", "radial_stress", "hoop_stress", "damage", "crushed", "cracked", "density"})
+    grid.fields.push_back({name, 1, {}});
+  grid.fields.push_back({"velocity", 3, {}});
+  grid.fields.push_back({"stress", 9, {}});
+  int number = 0;
+  solver.for_bodies([&](const auto& body) { append_cells(grid, body, number++, scene); });
+  return grid;
+}
+
+template <class Body>
+double kinetic_energy(const Body& body) {
+  double sum = 0;
+  for (std::size_t p = 0; p < body.size(); ++p) sum += 0.5 * body.mass()[p] * body.velocity(p).squaredNorm();
+  return sum;
+}
+
+/// Energies of the blast, J per metre of the full plane. What the gas gives, the rock and the faces take: `balance` is
+/// what the scheme has gained or lost.
+template <class Solver>
+std::map<std::string, double> energies(Solver& solver, const Scene& scene, double charge_energy) {
+  const double m = multiplicity(scene);
+  std::map<std::string, double> e;
+  double kinetic = 0, work = 0;
+  solver.for_bodies([&](const auto& body) {
+    e["kinetic_" + body.name] = m * kinetic_energy(body);
+    e["work_" + body.name] = m * body.stress_work;
+    kinetic += m * kinetic_energy(body), work += m * body.stress_work;
+  });
+  e["charge"] = charge_energy;
+  e["boundary"] = m * solver.boundary.work();
+  e["balance"] = kinetic + work - e["boundary"];
+  return e;
+}
+
+/// Mean radial stress, Pa, of the rock within a cell of the wall. The ring's mean: a single particle that shares a cell
+/// with gas shows several times as much.
+template <class Body>
+double wall_radial_stress(const Body& rock, const Scene& scene) {
+  std::vector<double> radius(rock.size());
+  for (std::size_t p = 0; p < rock.size(); ++p)
+    radius[p] = std::hypot(rock.x(0)[p] - scene.hole.x, rock.x(1)[p] - scene.hole.y);
+  const double wall = *std::min_element(radius.begin(), radius.end());
+  double stress = 0, volume = 0;
+  for (std::size_t p = 0; p < rock.size(); ++p) {
+    if (radius[p] > wall + scene.grid.cell) continue;
+    stress += rock.volume()[p] * polar_stress(rock, p, scene).rr;
+    volume += rock.volume()[p];
+  }
+  return stress / volume;
+}
+
+/// Mean stress of the rock within a cell of the point at distance r from the hole's centre along x.
+template <class Body>
+mpm::analysis::PolarStress probe(const Body& rock, double r, const Scene& scene) {
+  mpm::analysis::PolarStress sum{};
+  double volume = 0;
+  for (std::size_t p = 0; p < rock.size(); ++p) {
+    if (std::hypot(rock.x(0)[p] - scene.hole.x - r, rock.x(1)[p] - scene.hole.y) > scene.grid.cell) continue;
+    const auto s = polar_stress(rock, p, scene);
+    sum.rr += rock.volume()[p] * s.rr, sum.tt += rock.volume()[p] * s.tt, sum.rt += rock.volume()[p] * s.rt;
+    volume += rock.volume()[p];
+  }
+  return {sum.rr / volume, sum.tt / volume, sum.rt / volume};
+}
+
+/// Extent of the damage; particles beyond half damage count.
+template <class Body>
+Summary::Crack measure_cracks(const Body& rock, const Scene& scene) {
+  std::vector<double> damage(rock.size()), crushing(rock.size());
+  for (std::size_t p = 0; p < rock.size(); ++p) {
+    const auto d = damage_of(rock.state(p));
+    damage[p] = std::max(d.crushed, d.cracked), crushing[p] = d.crushed;
+  }
+  const std::span<const double> x{rock.x(0), rock.size()}, y{rock.x(1), rock.size()}, area{rock.volume(), rock.size()};
+  const auto c =
+      mpm::analysis::crack_measures({x, y, area, damage, crushing, scene.hole.x, scene.hole.y},
+                                    {.ring_width = scene.rock.particle, .multiplicity = multiplicity(scene)});
+  return {c.reach, c.along_x, c.along_y, c.longest, c.area, c.crushed_radius};
+}
+
+/// Draws damage, hoop stress and pressure of the rock round the hole.
+template <class Body>
+void draw_rock(const Body& rock, const Scene& scene, const std::string& when, double half_width,
+               const std::filesystem::path& folder) {
+  std::vector<Quad> domains(rock.size());
+  std::vector<double> damage(rock.size()), hoop(rock.size()), pressure(rock.size());
+  for (std::size_t p = 0; p < rock.size(); ++p) {
+    for (int c = 0; c < 4; ++c) domains[p][c] = rock.shape.corner[rock.shape.quad[p][c]];
+    const auto d = damage_of(rock.state(p));
+    damage[p] = signed_damage(d.crushed, d.cracked);
+    hoop[p] = polar_stress(rock, p, scene).tt;
+    pressure[p] = -trace(rock.stress(p)) / 3;
+  }
+  Picture picture{.title = when,
+                  .hole_centre = {scene.hole.x, scene.hole.y},
+                  .hole_radius = scene.hole.radius,
+                  .half_width = half_width,
+                  .quarter = scene.model == Model::quarter};
+  picture.field = damage_field, draw_field(picture, domains, damage, folder / "damage.png");
+  picture.field = hoop_stress_field, draw_field(picture, domains, hoop, folder / "hoop_stress.png");
+  picture.field = pressure_field, draw_field(picture, domains, pressure, folder / "pressure.png");
+}
+
+/// Snapshots and tables of the blast as it goes.
+template <class Solver>
+class Recorder {
+ public:
+  Recorder(const Scene& scene, const std::filesystem::path& folder, double charge_energy)
+      : scene_(scene),
+        charge_energy_(charge_energy),
+        snapshots_(folder / "blast"),
+        energies_(folder / "energies.csv", {{"time", "s"},
+                                            {"kinetic_rock", "J/m"},
+                                            {"kinetic_charge", "J/m"},
+                                            {"kinetic_air", "J/m"},
+                                            {"work_rock", "J/m"},
+                                            {"work_charge", "J/m"},
+                                            {"work_air", "J/m"},
+                                            {"boundary", "J/m"},
+                                            {"balance", "J/m"}}),
+        probes_(folder / "probes.csv", probe_columns(scene)) {}
+
+  /// A snapshot at each of the scene's output times, a row of the tables about every microsecond.
+  void record(Solver& solver) {
+    if (solver.time >= next_row_ || solver.time >= scene_.end_time) {
+      rows(solver);
+      next_row_ = solver.time + 1e-6;
+    }
+    if (solver.time < next_snapshot_time()) return;
+    snapshots_.write(solver.time, snapshot_of(solver, scene_));
+    ++taken_;
+  }
+  /// Time at which the next snapshot is due, s; the first is at the start, the last at the end.
+  double next_snapshot_time() const {
+    return taken_ > scene_.output.snapshots ? 2 * scene_.end_time
+           : taken_ == scene_.output.snapshots
+               ? scene_.end_time
+               : scene_.end_time * double(taken_) / double(std::max(1, scene_.output.snapshots));
+  }
+  /// Largest compression that the wall has seen, Pa, tension positive.
+  double wall_radial_stress() const { return wall_; }
+
+ private:
+  static std::vector<mpm::io::Column> probe_columns(const Scene& scene) {
+    std::vector<mpm::io::Column> columns{{"time", "s"}, {"wall_radial_stress", "Pa"}};
+    for (const double r : scene.output.probes) {
+      const std::string at = "_at_" + mpm::io::number(r) + "m";
+      columns.push_back({"radial_stress" + at, "Pa"});
+      columns.push_back({"hoop_stress" + at, "Pa"});
+    }
+    return columns;
+  }
+  void rows(Solver& solver) {
+    const auto& rock = solver.template body<0>();
+    const auto e = energies(solver, scene_, charge_energy_);
+    std::vector<double> row{solver.time};
+    for (const char* name : {"kinetic_rock", "kinetic_charge", "kinetic_air", "work_rock", "work_charge", "work_air",
+                             "boundary", "balance"})
+      row.push_back(e.at(name));
+    energies_.row(row);
+    const double wall = blasting::wall_radial_stress(rock, scene_);
+    wall_ = std::min(wall_, wall);
+    row = {solver.time, wall};
+    for (const double r : scene_.output.probes) {
+      const auto s = probe(rock, r, scene_);
+      row.insert(row.end(), {s.rr, s.tt});
+    }
+    probes_.row(row);
+  }
+
+  const Scene& scene_;
+  double charge_energy_;
+  mpm::io::SnapshotSeries snapshots_;
+  mpm::io::CsvWriter energies_, probes_;
+  double next_row_ = 0, wall_ = 0;
+  int taken_ = 0;
+};
+
+}  // namespace blasting

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "progress.hpp"
+#include "recorder.hpp"
+#include "run.hpp"
+#include "stages.hpp"
+#include <mpm/analysis/state_hash.hpp>
+#include <mpm/relax.hpp>
+#include <omp.h>
+#include <chrono>
+#include <cstdio>
+
+namespace blasting {
+namespace detail {
+
+using Clock = std::chrono::steady_clock;
+inline double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Energy of the charge, J per metre of the full plane.
+template <class Body>
+double energy_of(const Body& charge, const Scene& scene) {
+  double sum = 0;
+  for (std::size_t p = 0; p < charge.size(); ++p) sum += charge.mass()[p] / charge.law.density * charge.state(p).energy;
+  return multiplicity(scene) * sum;
+}
+
+/// Relaxes the rock; the report goes into the summary.
+template <class Rock>
+mpm::Body<CpdiQuad, Rock, Space> relax_rock(const Scene& scene, Summary& summary) {
+  auto solver = relaxation_stage<Rock>(scene);
+  Progress progress("relaxation");
+  const std::int64_t particles = static_cast<std::int64_t>(solver.body().size());
+  const auto report =
+      mpm::relax(solver, {.tolerance = scene.relaxation.tolerance, .max_steps = scene.relaxation.max_steps},
+                 [&](const auto& s) { progress.update(s.steps, s.time, s.time / double(s.steps), s.steps * particles); });
+  progress.finish();
+  summary.steps.relaxation = solver.steps;
+  summary.relaxation = {report.unbalanced_force, report.kinetic_ratio};
+  return std::move(solver.body());
+}
+
+inline std::string title(const Scene& scene, double time) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%.0f us, in-situ stress %g MPa horizontal, %g MPa vertical", time * 1e6,
+                scene.stress.horizontal * 1e-6, scene.stress.vertical * 1e-6);
+  return text;
+}
+
+/// Window of the pictures: the cracks and as much again, at least twenty hole radii.
+inline double window(const Scene& scene, const Summary& summary) {
+  return std::min(half_side(scene), std::max(1.25 * summary.crack.longest, 20 * scene.hole.radius));
+}
+
+template <class Solver>
+void finish(Solver& solver, const Scene& scene, const std::filesystem::path& folder, Summary& summary) {
+  auto& rock = solver.template body<0>();
+  summary.simulated_seconds = solver.time;
+  summary.steps.blast = solver.steps;
+  summary.crack = measure_cracks(rock, scene);
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(mpm::state_hash(solver)));
+  summary.state_hash = hash;
+  draw_rock(rock, scene, title(scene, solver.time), window(scene, summary), folder);
+  draw_chart({.title = "energies per metre of hole", .quantity = "energy", .unit = "MJ/m", .scale = 1e-6},
+             folder / "energies.csv", folder / "energies.png");
+  draw_chart({.title = "stresses at the wall and the probes", .quantity = "stress", .unit = "MPa", .scale = 1e-6},
+             folder / "probes.csv", folder / "probes.png");
+}
+
+/// Stage 2, from the relaxed rock to the end time.
+template <class Rock, class Integrator>
+void blast(const Scene& scene, const std::filesystem::path& folder, mpm::Body<CpdiQuad, Rock, Space> rock,
+           Summary& summary) {
+  auto solver = blast_stage<Rock, Integrator>(scene, std::move(rock));
+  const double charge_energy = energy_of(solver.template body<1>(), scene);
+  const std::int64_t particles = summary.particles.rock + summary.particles.charge + summary.particles.air;
+  Recorder<decltype(solver)> recorder(scene, folder, charge_energy);
+  recorder.record(solver);
+  Progress progress("blast", scene.end_time);
+  while (solver.time < scene.end_time) {
+    const double dt = solver.step(std::min(scene.end_time, recorder.next_snapshot_time()) - solver.time);
+    progress.update(solver.steps, solver.time, dt, solver.steps * particles);
+    recorder.record(solver);
+  }
+  progress.finish();
+  summary.wall_radial_stress = recorder.wall_radial_stress();
+  summary.energy = energies(solver, scene, charge_energy);
+  finish(solver, scene, folder, summary);
+}
+
+template <class Rock>
+void blast_as_asked(const Scene& scene, const std::filesystem::path& folder, mpm::Body<CpdiQuad, Rock, Space> rock,
+                    Summary& summary) {
+  switch (scene.step.update) {
+    case StressUpdate::usl:
+      return blast<Rock, mpm::Usl>(scene, folder, std::move(rock), summary);
+    case StressUpdate::usf:
+      return blast<Rock, mpm::Usf>(scene, folder, std::move(rock), summary);
+    case StressUpdate::musl:
+      return blast<Rock, mpm::Musl>(scene, folder, std::move(rock), summary);
+  }
+}
+
+/// Particles, bytes, steps and time that the run would take; the rate is measured over a few steps of the rock.
+template <class Rock>
+void dry_run(const Scene& scene) {
+  const auto charge = make_charge(scene);
+  const auto air = make_air(scene);
+  auto solver = relaxation_stage<Rock>(scene);
+  solver.safety = scene.step.safety;
+  const auto& rock = solver.body();
+  solver.step();
+  const auto begin = Clock::now();
+  double dt = 0;
+  for (int k = 0; k < 3; ++k) dt = solver.step();
+  const double per_particle = seconds_since(begin) / 3 / double(rock.size());
+  const double bytes = double(rock.size()) * double(rock.bytes_per_particle) +
+                       double(charge.size()) * double(charge.bytes_per_particle) +
+                       double(air.size()) * double(air.bytes_per_particle);
+  // Shocked rock is several times as stiff as rock at rest and relaxation takes some hundred steps.
+  const double steps = 2 * scene.end_time / dt, relaxation = 300;
+  const double particles = double(rock.size() + charge.size() + air.size());
+  std::printf("particles: rock %zu, charge %zu, air %zu\n", rock.size(), charge.size(), air.size());
+  std::printf("memory: %.1f MB for particles\n", bytes * 1e-6);
+  std::printf("step: %.3g us in rock at rest\n", dt * 1e6);
+  std::printf("steps: about %.0f of relaxation and %.0f of blast\n", relaxation, steps);
+  std::printf("time: about %.0f s\n", per_particle * (relaxation * double(rock.size()) + 2 * steps * particles));
+}
+
+}  // namespace detail
+
+template <class Rock>
+void run_with(const Scene& scene, const Options& options) {
+  if (options.dry_run) return detail::dry_run<Rock>(scene);
+  const auto begin = detail::Clock::now();
+  const auto& folder = options.output;
+  Summary summary;
+  summary.threads = omp_get_max_threads();
+  const double largest_strength = std::is_same_v<Rock, CrackingRock> ? largest_tensile_strength(scene) : 0;
+  auto rock = detail::relax_rock<Rock>(scene, summary);
+  if (const auto capped = scatter_strength(rock, scene, largest_strength); capped > 0)
+    std::fprintf(stderr,
+                 "warning: the tensile strength of %zu of %zu rock particles is capped at %.1f MPa, where they "
+                 "would snap back; refine rock.particle or raise rock.tensile.fracture_energy\n",
+                 capped, rock.size(), largest_strength * 1e-6);
+  summary.particles = {static_cast<std::int64_t>(rock.size()), static_cast<std::int64_t>(make_charge(scene).size()),
+                       static_cast<std::int64_t>(make_air(scene).size())};
+  try {
+    detail::blast_as_asked<Rock>(scene, folder, std::move(rock), summary);
+  } catch (const mpm::Error&) {
+    summary.wall_seconds = detail::seconds_since(begin);
+    write_summary(folder / "summary.json", summary);  // says that the run is not complete
+    throw;
+  }
+  summary.completed = true;
+  summary.wall_seconds = detail::seconds_since(begin);
+  write_summary(folder / "summary.json", summary);
+  std::printf(
+      "reach %.0f mm (along x %.0f, along y %.0f), damaged area %.0f cm2, crushed radius %.0f mm, %.0f s; results in "
+      "%s\n",
+      summary.crack.reach * 1e3, summary.crack.along_x * 1e3, summary.crack.along_y * 1e3, summary.crack.area * 1e4,
+      summary.crack.crushed_radius * 1e3, summary.wall_seconds, folder.c_str());
+}
+
+}  // namespace blasting

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "laws.hpp"
+#include "scene.hpp"
+#include <mpm/analysis/kirsch.hpp>
+#include <mpm/geometry/holed_block.hpp>
+#include <mpm/mpm.hpp>
+#include <algorithm>
+#include <cmath>
+
+// The two stages of Xiao et al. 2024, Fig. 7, each one instantiation of mpm::Solver.
+namespace blasting {
+
+using Space = mpm::PlaneStrain<double>;
+using mpm::CpdiQuad;
+using mpm::Ugimp;
+
+/// Stage 1: the rock alone settles under the in-situ stress.
+template <class Rock>
+using RelaxationSolver = mpm::Solver<CpdiQuad, Rock, mpm::DynamicRelaxation<>, Space>;
+
+/// Stage 2: rock, charge and air.
+template <class Rock, class Integrator>
+using BlastSolver = mpm::Solver<mpm::PerBody<CpdiQuad, Ugimp, Ugimp>,
+                                mpm::PerBody<Rock, mpm::JonesWilkinsLee, mpm::PolynomialEos>, Integrator, Space>;
+
+/// The block's half side as the grid can have it: a whole number of cells, at least what the scene asks.
+inline int half_cells(const Scene& scene) {
+  return static_cast<int>(std::ceil(scene.block.side / 2 / scene.grid.cell - 1e-9));
+}
+inline double half_side(const Scene& scene) {
+  return half_cells(scene) * scene.grid.cell;
+}
+
+/// The grid fills the block; a quarter model is its upper right quadrant.
+inline mpm::Grid<Space> background(const Scene& scene) {
+  const int n = half_cells(scene);
+  if (scene.model == Model::quarter) return {{0, 0}, scene.grid.cell, {n, n}};
+  return {{-half_side(scene), -half_side(scene)}, scene.grid.cell, {2 * n, 2 * n}};
+}
+
+/// In-situ stress round the hole, tension positive; the paper's and the scene's magnitudes are compressions.
+inline mpm::analysis::Kirsch in_situ(const Scene& scene) {
+  return {.horizontal = -scene.stress.horizontal, .vertical = -scene.stress.vertical, .radius = scene.hole.radius};
+}
+
+/// Stress that the relaxation starts from at x: Kirsch's, or the far field as if there were no hole.
+inline mpm::SymmetricTensor<double> starting_stress(const Scene& scene, double poisson, double x, double y) {
+  const auto field = in_situ(scene);
+  if (scene.stress.start == StressStart::far_field)
+    return {field.horizontal, field.vertical, poisson * (field.horizontal + field.vertical), 0, 0, 0};
+  const double dx = x - scene.hole.x, dy = y - scene.hole.y;
+  const auto s = field.stress(dx, dy);
+  return {s.xx, s.yy, field.stress_zz(dx, dy, poisson), s.xy, 0, 0};
+}
+
+/// The rock of the scene: quadrilaterals that follow the round wall, under the starting stress, each denser as the
+/// inverse of its equation of state demands.
+template <class Rock>
+mpm::Body<CpdiQuad, Rock, Space> make_rock(const Scene& scene) {
+  const auto law = rock_law<Rock>(scene);
+  const auto starting = [&](double x, double y) { return starting_stress(scene, law.poisson, x, y); };
+  const mpm::geometry::HoledBlock block{.radius = scene.hole.radius,
+                                        .centre = {scene.hole.x, scene.hole.y},
+                                        .half_side = half_side(scene),
+                                        .particle_size = scene.rock.particle,
+                                        .model = scene.model};
+  auto rock = mpm::geometry::make_body<Space>("rock", block.mesh(), law, [&](const mpm::geometry::Point& x) {
+    return relative_volume(law, -trace(starting(x[0], x[1])) / 3);
+  });
+  for (std::size_t p = 0; p < rock.size(); ++p) rock.store(p, state_under(law, starting(rock.x(0)[p], rock.x(1)[p])));
+  return rock;
+}
+
+/// Puts symmetry rollers on the cut faces of a quarter model and `face(axis, side)` on all others.
+template <class Solver, class F>
+void set_faces(Solver& solver, const Scene& scene, const F& face) {
+  for (int axis = 0; axis < 2; ++axis)
+    for (int side = 0; side < 2; ++side) {
+      if (scene.model == Model::quarter && side == 0) {
+        solver.boundary.face(axis, side) = mpm::Rollers<Space>{};
+      } else {
+        solver.boundary.face(axis, side) = face(axis, side);
+      }
+    }
+}
+
+/// Stage 1, ready to relax: tractions of the starting field on the outer faces.
+template <class Rock>
+RelaxationSolver<Rock> relaxation_stage(const Scene& scene) {
+  RelaxationSolver<Rock> solver(background(scene), make_rock<Rock>(scene));
+  const double poisson = solver.body().law.poisson;
+  set_faces(solver, scene, [&](int axis, int side) {
+    return mpm::Traction<Space>::on(solver.grid, axis, side, [&](const mpm::Vector<Space>& x) -> mpm::Vector<Space> {
+      const auto s = starting_stress(scene, poisson, x[0], x[1]);
+      const double n = side == 0 ? -1 : 1;
+      return axis == 0 ? mpm::Vector<Space>(n * s.xx, n * s.xy) : mpm::Vector<Space>(n * s.xy, n * s.yy);
+    });
+  });
+  return solver;
+}
+
+/// Fills the hole's cross-section, or the quadrant of it, with gas particles on a lattice wherever `inside(x, y)`,
+/// offsets from the hole's centre.
+template <class Law, class Inside>
+mpm::Body<Ugimp, Law, Space> fill_gas(const Scene& scene, const char* name, const Law& law, const Inside& inside) {
+  const double spacing = scene.grid.cell / scene.gas.particles_per_edge;
+  mpm::Body<Ugimp, Law, Space> gas(name, {.half_size = {spacing / 2, spacing / 2}}, law);
+  const int n = static_cast<int>(std::ceil(scene.hole.radius / spacing));
+  const int first = scene.model == Model::quarter ? 0 : -n;
+  for (int j = first; j < n; ++j)
+    for (int i = first; i < n; ++i) {
+      const double x = (i + 0.5) * spacing, y = (j + 0.5) * spacing;
+      if (inside(x, y)) gas.add({scene.hole.x + x, scene.hole.y + y}, spacing * spacing, {0, 0});
+    }
+  return gas;
+}
+
+/// Scales masses and volumes so that they add up to the gas's true cross-section, which a lattice meets only nearly.
+template <class Body>
+void make_area_exact(Body& gas, double area) {
+  double sum = 0;
+  for (std::size_t p = 0; p < gas.size(); ++p) sum += gas.volume()[p];
+  for (std::size_t p = 0; p < gas.size(); ++p) gas.volume()[p] *= area / sum, gas.mass()[p] *= area / sum;
+}
+
+inline mpm::Body<Ugimp, mpm::JonesWilkinsLee, Space> make_charge(const Scene& scene) {
+  const auto& c = scene.charge;
+  const auto law = charge_law(scene);
+  if (c.kind == ChargeKind::none) return {"charge", {}, law};
+  auto charge =
+      fill_gas(scene, "charge", law, [&](double x, double y) { return std::hypot(x - c.x, y - c.y) < c.radius; });
+  const double share = scene.model == Model::quarter ? 0.25 : 1;
+  make_area_exact(charge, share * M_PI * c.radius * c.radius);
+  for (std::size_t p = 0; p < charge.size(); ++p) {
+    auto state = charge.state(p);
+    if (c.burn == Burn::programmed)
+      state.lighting_time = std::hypot(charge.x(0)[p] - scene.hole.x - c.x, charge.x(1)[p] - scene.hole.y - c.y) /
+                            law.detonation_velocity;
+    charge.store(p, state);
+  }
+  return charge;
+}
+
+inline mpm::Body<Ugimp, mpm::PolynomialEos, Space> make_air(const Scene& scene) {
+  const auto& c = scene.charge;
+  if (!scene.air.fill) return {"air", {}, air_law(scene)};
+  const double charge_radius = c.kind == ChargeKind::none ? 0 : c.radius;
+  auto air = fill_gas(scene, "air", air_law(scene), [&](double x, double y) {
+    return std::hypot(x, y) < scene.hole.radius && std::hypot(x - c.x, y - c.y) >= charge_radius;
+  });
+  const double share = scene.model == Model::quarter ? 0.25 : 1;
+  make_area_exact(air, share * M_PI * (std::pow(scene.hole.radius, 2) - std::pow(charge_radius, 2)));
+  return air;
+}
+
+/// Stage 2, ready to burn: the relaxed rock moves in, charge and air fill the hole, and the outer faces turn quiet,
+/// holding what keeps the rock at rest.
+template <class Rock, class Integrator>
+BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, mpm::Body<CpdiQuad, Rock, Space> rock) {
+  const double density = rock.law.density;
+  const auto moduli = rock.law.tangent(rock.law.template initial<double>(), 1.0);
+  rock.stress_work = 0;
+  BlastSolver<Rock, Integrator> solver(background(scene), std::move(rock), make_charge(scene), make_air(scene));
+  solver.safety = scene.step.safety;
+  solver.integrator.flip = scene.step.flip;
+  set_faces(solver, scene, [&](int, int) { return mpm::Quiet<Space>::from(density, moduli); });
+  solver.hold_quiet_faces();
+  return solver;
+}
+
+}  // namespace blasting
