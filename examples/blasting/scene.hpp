@@ -42,7 +42,7 @@ struct Scene {
   } air;
 
   struct Block {
-    double side = 4;
+    double side = 3;
   } block;
 
   struct Grid {

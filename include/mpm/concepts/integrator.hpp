@@ -6,23 +6,30 @@ namespace mpm {
 
 /// When a step strains its particles.
 enum class StressUpdate {
-  first,         ///< USF: with the velocities before the forces act
-  last,          ///< USL: with the advanced velocities
-  modified_last  ///< MUSL: with the particles' new momenta, remapped to the nodes
+  first,        ///< USF: with the velocities before the forces act
+  last,         ///< USL: with the advanced velocities
+  modified_last ///< MUSL: with the particles' new momenta, remapped to the
+                ///< nodes
 };
 
 /// INTEGRATOR: how nodes and particles go from one time to the next.
 ///   - `stress_update`: a StressUpdate;
-///   - `keeps_node_velocity`: nodes carry their velocities from step to step, and particles carry none;
+///   - `keeps_node_velocity`: nodes carry their velocities from step to step,
+///   and particles carry none;
 ///   - `step_interval`: the stable step is computed again every so many steps;
-///   - `advance(grid, dt)`: from v_I, f_I and m_I to v_I+ and the increment v_I+ - v_I;
-///   - `particle_velocity(v_p, v, dv)`: the new v_p from the old one and the interpolated v_I+ and increment.
+///   - `advance(grid, dt)`: from v_I, f_I and m_I to v_I+ and the increment
+///   v_I+ - v_I;
+///   - `particle_velocity(v_p, v, dv)`, unless nodes keep theirs: the new v_p
+///   from the old one and the interpolated
+///     v_I+ and increment.
 template <class I>
-concept Integrator = requires(const I integrator, double v) {
+concept Integrator = requires {
   { I::stress_update } -> std::convertible_to<StressUpdate>;
   { I::keeps_node_velocity } -> std::convertible_to<bool>;
   { I::step_interval } -> std::convertible_to<int>;
+}
+&&(I::keeps_node_velocity || requires(const I integrator, double v) {
   { integrator.particle_velocity(v, v, v) } -> std::convertible_to<double>;
-};
+});
 
-}  // namespace mpm
+} // namespace mpm

@@ -81,7 +81,9 @@ struct WithTensileLaw : Rock {
     const auto value = principal_values(whole);
     const double longitudinal = this->K1 + 4.0 / 3 * this->shear();
     s.cracking = max(s.cracking, tension.damage(value.first, s.strength, longitudinal, step.size));
-    const auto nominal = (V(1) - s.cracking) * whole + s.cracking * without_tension(whole, value, s, step.J);
+    auto nominal = whole;
+    if (any(s.cracking > V(0)))
+      nominal = (V(1) - s.cracking) * whole + s.cracking * without_tension(whole, value, s, step.J);
 
     typename Rock::template State<V> rock{s.stress, s.damage, s.bulking};
     const V factor = this->return_to_strength(rock, nominal, step);
