@@ -32,9 +32,9 @@ mpm::Body<CpdiQuad, Rock, Space> relax_rock(const Scene& scene, Summary& summary
   auto solver = relaxation_stage<Rock>(scene);
   Progress progress("relaxation");
   const std::int64_t particles = static_cast<std::int64_t>(solver.body().size());
-  const auto report =
-      mpm::relax(solver, {.tolerance = scene.relaxation.tolerance, .max_steps = scene.relaxation.max_steps},
-                 [&](const auto& s) { progress.update(s.steps, s.time, s.time / double(s.steps), s.steps * particles); });
+  const auto report = mpm::relax(
+      solver, {.tolerance = scene.relaxation.tolerance, .max_steps = scene.relaxation.max_steps},
+      [&](const auto& s) { progress.update(s.steps, s.time, s.time / double(s.steps), s.steps * particles); });
   progress.finish();
   summary.steps.relaxation = solver.steps;
   summary.relaxation = {report.unbalanced_force, report.kinetic_ratio};

@@ -24,10 +24,9 @@ using Vector = Eigen::Matrix<typename S::Scalar, S::dimension, 1>;
 /// Fields, one column each (SI; per metre of depth in plane strain): x
 /// position, v velocity, m mass, V volume, sigma (or the pressure of a fluid),
 /// the law's history, and F where shape or law ask for it.
-template <ShapeFunction ShapeT, Material MaterialT,
-          Space SpaceT = PlaneStrain<>>
+template <ShapeFunction ShapeT, Material MaterialT, Space SpaceT = PlaneStrain<>>
 class Body {
-public:
+ public:
   using Shape = ShapeT;
   using Law = MaterialT;
   using SpaceType = SpaceT;
@@ -36,103 +35,81 @@ public:
   static constexpr int dimension = SpaceT::dimension;
   static constexpr bool fluid = Fluid<Law>;
   static constexpr bool stores_F =
-      needs_deformation_gradient<Law> ||
-      Shape::domain_motion == DomainMotion::deformation_gradient;
-  static constexpr int stress_count =
-      fluid ? 1 : int(SpaceT::stress_components.size());
+      needs_deformation_gradient<Law> || Shape::domain_motion == DomainMotion::deformation_gradient;
+  static constexpr int stress_count = fluid ? 1 : int(SpaceT::stress_components.size());
   static constexpr int history_count = int(Law::history.size());
-  static constexpr int F_count =
-      stores_F ? int(SpaceT::gradient_components.size()) : 0;
-  static constexpr int column_count =
-      2 * dimension + 2 + stress_count + history_count + F_count;
+  static constexpr int F_count = stores_F ? int(SpaceT::gradient_components.size()) : 0;
+  static constexpr int column_count = 2 * dimension + 2 + stress_count + history_count + F_count;
   /// What one particle costs in memory, its share of the shape's own mesh
   /// included.
-  static constexpr std::size_t bytes_per_particle =
-      column_count * sizeof(Scalar) + Shape::template bytes<SpaceT>;
+  static constexpr std::size_t bytes_per_particle = column_count * sizeof(Scalar) + Shape::template bytes<SpaceT>;
 
-  static_assert(sizeof(State) ==
-                    sizeof(Scalar) * ((fluid ? 1 : 6) + history_count),
+  static_assert(sizeof(State) == sizeof(Scalar) * ((fluid ? 1 : 6) + history_count),
                 "Material::history must name every member of State<V> behind "
                 "the stress or pressure, in order");
 
   std::string name = "body";
   Shape shape;
   Law law;
-  Scalar stress_work = 0; ///< sum of V sigma : D dt since the start, J
+  Scalar stress_work = 0;  ///< sum of V sigma : D dt since the start, J
 
   Body() = default;
   Body(std::string body_name, Shape body_shape, Law body_law)
-      : name(std::move(body_name)), shape(std::move(body_shape)),
-        law(std::move(body_law)) {}
+      : name(std::move(body_name)), shape(std::move(body_shape)), law(std::move(body_law)) {}
 
   std::size_t size() const { return columns_.size(); }
 
   /// Appends a particle at rest or moving, in the law's initial state at
   /// relative volume J (mass = rho0 V / J). Throws Error on a volume, J or
   /// density that is not positive.
-  void add(const Vector<SpaceT> &position, Scalar particle_volume,
-           const Vector<SpaceT> &velocity, Scalar J = 1) {
+  void add(const Vector<SpaceT>& position, Scalar particle_volume, const Vector<SpaceT>& velocity, Scalar J = 1) {
     const std::size_t p = size();
     require_positive("volume", double(particle_volume));
     require_positive("relative volume", double(J));
     require_positive("density", double(law.density));
     columns_.resize(p + 1);
-    for (int d = 0; d < dimension; ++d)
-      x(d)[p] = position[d], v(d)[p] = velocity[d];
+    for (int d = 0; d < dimension; ++d) x(d)[p] = position[d], v(d)[p] = velocity[d];
     mass()[p] = Scalar(law.density) * particle_volume / J;
     volume()[p] = particle_volume;
     store(p, law.template initial<Scalar>());
-    if constexpr (stores_F)
-      store_F(p, Tensor<Scalar>::identity());
+    if constexpr (stores_F) store_F(p, Tensor<Scalar>::identity());
   }
 
-  Scalar *x(int d) { return columns_[d]; }
-  const Scalar *x(int d) const { return columns_[d]; }
-  Scalar *v(int d) { return columns_[dimension + d]; }
-  const Scalar *v(int d) const { return columns_[dimension + d]; }
-  Scalar *mass() { return columns_[2 * dimension]; }
-  const Scalar *mass() const { return columns_[2 * dimension]; }
-  Scalar *volume() { return columns_[2 * dimension + 1]; }
-  const Scalar *volume() const { return columns_[2 * dimension + 1]; }
+  Scalar* x(int d) { return columns_[d]; }
+  const Scalar* x(int d) const { return columns_[d]; }
+  Scalar* v(int d) { return columns_[dimension + d]; }
+  const Scalar* v(int d) const { return columns_[dimension + d]; }
+  Scalar* mass() { return columns_[2 * dimension]; }
+  const Scalar* mass() const { return columns_[2 * dimension]; }
+  Scalar* volume() { return columns_[2 * dimension + 1]; }
+  const Scalar* volume() const { return columns_[2 * dimension + 1]; }
   /// Column of the law's history member `k` (order of Law::history).
-  Scalar *history(int k) { return columns_[state_column + stress_count + k]; }
-  const Scalar *history(int k) const {
-    return columns_[state_column + stress_count + k];
-  }
+  Scalar* history(int k) { return columns_[state_column + stress_count + k]; }
+  const Scalar* history(int k) const { return columns_[state_column + stress_count + k]; }
 
   Vector<SpaceT> position(std::size_t p) const { return vector(p, 0); }
   Vector<SpaceT> velocity(std::size_t p) const { return vector(p, dimension); }
   /// Relative volume J = V / V0 = rho0 V / m.
-  Scalar relative_volume(std::size_t p) const {
-    return Scalar(law.density) * volume()[p] / mass()[p];
-  }
+  Scalar relative_volume(std::size_t p) const { return Scalar(law.density) * volume()[p] / mass()[p]; }
   /// Edge of the cube of the particle's volume, m.
   Scalar particle_size(std::size_t p) const {
     const Scalar V = SpaceT::hoop ? volume()[p] / x(0)[p] : volume()[p];
-    if constexpr (dimension == 1)
-      return V;
-    if constexpr (dimension == 2)
-      return std::sqrt(V);
-    if constexpr (dimension == 3)
-      return std::cbrt(V);
+    if constexpr (dimension == 1) return V;
+    if constexpr (dimension == 2) return std::sqrt(V);
+    if constexpr (dimension == 3) return std::cbrt(V);
   }
 
   /// The law's state of particle p, with the stress lifted to 3x3.
   State state(std::size_t p) const {
     std::array<Scalar, full_stress + history_count> all{};
-    for (int k = 0; k < stress_count; ++k)
-      all[stress_slot(k)] = columns_[state_column + k][p];
-    for (int k = 0; k < history_count; ++k)
-      all[full_stress + k] = history(k)[p];
+    for (int k = 0; k < stress_count; ++k) all[stress_slot(k)] = columns_[state_column + k][p];
+    for (int k = 0; k < history_count; ++k) all[full_stress + k] = history(k)[p];
     return std::bit_cast<State>(all);
   }
-  void store(std::size_t p, const State &s) {
-    const auto all =
-        std::bit_cast<std::array<Scalar, full_stress + history_count>>(s);
-    for (int k = 0; k < stress_count; ++k)
-      columns_[state_column + k][p] = all[stress_slot(k)];
-    for (int k = 0; k < history_count; ++k)
-      history(k)[p] = all[full_stress + k];
+  void store(std::size_t p, const State& s) {
+    const auto all = std::bit_cast<std::array<Scalar, full_stress + history_count>>(s);
+    for (int k = 0; k < stress_count; ++k) columns_[state_column + k][p] = all[stress_slot(k)];
+    for (int k = 0; k < history_count; ++k) history(k)[p] = all[full_stress + k];
   }
   /// Cauchy stress of particle p, tension positive.
   SymmetricTensor<Scalar> stress(std::size_t p) const {
@@ -140,21 +117,18 @@ public:
       return SymmetricTensor<Scalar>::spherical(-columns_[state_column][p]);
     } else {
       std::array<Scalar, 6> all{};
-      for (int k = 0; k < stress_count; ++k)
-        all[stress_slot(k)] = columns_[state_column + k][p];
+      for (int k = 0; k < stress_count; ++k) all[stress_slot(k)] = columns_[state_column + k][p];
       return std::bit_cast<SymmetricTensor<Scalar>>(all);
     }
   }
   Tensor<Scalar> F(std::size_t p) const requires stores_F {
     auto all = std::bit_cast<std::array<Scalar, 9>>(Tensor<Scalar>::identity());
-    for (int k = 0; k < F_count; ++k)
-      all[SpaceT::gradient_components[k]] = columns_[F_column + k][p];
+    for (int k = 0; k < F_count; ++k) all[SpaceT::gradient_components[k]] = columns_[F_column + k][p];
     return std::bit_cast<Tensor<Scalar>>(all);
   }
-  void store_F(std::size_t p, const Tensor<Scalar> &F) requires stores_F {
+  void store_F(std::size_t p, const Tensor<Scalar>& F) requires stores_F {
     const auto all = std::bit_cast<std::array<Scalar, 9>>(F);
-    for (int k = 0; k < F_count; ++k)
-      columns_[F_column + k][p] = all[SpaceT::gradient_components[k]];
+    for (int k = 0; k < F_count; ++k) columns_[F_column + k][p] = all[SpaceT::gradient_components[k]];
   }
 
   /// Reorders the particles: particle i becomes the old particle order[i].
@@ -162,28 +136,24 @@ public:
     columns_.permute(order, scratch_);
     shape.permute(order);
   }
-  const Columns<Scalar, column_count> &columns() const { return columns_; }
+  const Columns<Scalar, column_count>& columns() const { return columns_; }
 
-private:
+ private:
   static constexpr int full_stress = fluid ? 1 : 6;
   static constexpr int state_column = 2 * dimension + 2;
   static constexpr int F_column = state_column + stress_count + history_count;
 
-  void require_positive(const char *what, double value) const {
-    if (value > 0 && std::isfinite(value))
-      return;
+  void require_positive(const char* what, double value) const {
+    if (value > 0 && std::isfinite(value)) return;
     std::ostringstream text;
-    text << "body " << name << ": particle " << size() << " would have the "
-         << what << ' ' << value << "; it must be positive";
+    text << "body " << name << ": particle " << size() << " would have the " << what << ' ' << value
+         << "; it must be positive";
     throw Error(text.str());
   }
-  static constexpr int stress_slot(int k) {
-    return fluid ? 0 : SpaceT::stress_components[k];
-  }
+  static constexpr int stress_slot(int k) { return fluid ? 0 : SpaceT::stress_components[k]; }
   Vector<SpaceT> vector(std::size_t p, int first) const {
     Vector<SpaceT> value;
-    for (int d = 0; d < dimension; ++d)
-      value[d] = columns_[first + d][p];
+    for (int d = 0; d < dimension; ++d) value[d] = columns_[first + d][p];
     return value;
   }
 
@@ -191,4 +161,4 @@ private:
   std::vector<Scalar> scratch_;
 };
 
-} // namespace mpm
+}  // namespace mpm

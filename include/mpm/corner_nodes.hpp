@@ -12,8 +12,9 @@ namespace mpm {
 /// a particle talks to its own corners, and each corner, shared by neighbours,
 /// talks once to the grid as a point with hat functions. The sums are those of
 /// the particle's direct stencil, in less than half the work.
-template <Space S> class CornerNodes : public NodalFields<S> {
-public:
+template <Space S>
+class CornerNodes : public NodalFields<S> {
+ public:
   using Scalar = typename S::Scalar;
   using NodalFields<S>::mass;
   using NodalFields<S>::velocity;
@@ -21,8 +22,7 @@ public:
   using NodalFields<S>::strain_velocity;
 
   /// Finds the cell of every corner, and clears mass and force.
-  void locate(const std::vector<std::array<double, 2>> &corner,
-              const Grid<S> &grid) {
+  void locate(const std::vector<std::array<double, 2>>& corner, const Grid<S>& grid) {
     const std::size_t n = corner.size();
     mass.assign(n, 0);
     increment.assign(n, Vector<S>::Zero());
@@ -30,13 +30,9 @@ public:
     anchor_.resize(n);
     stride_ = grid.stride(1);
     for_each([&](std::size_t c) {
-      const auto a = shapes::hat_axis(grid.coordinate(Scalar(corner[c][0]), 0),
-                                      grid.cells(0));
-      const auto b = shapes::hat_axis(grid.coordinate(Scalar(corner[c][1]), 1),
-                                      grid.cells(1));
-      anchor_[c] = {a.first + b.first * stride_,
-                    std::uint32_t(b.first / Grid<S>::block_edge), a.w[1],
-                    b.w[1]};
+      const auto a = shapes::hat_axis(grid.coordinate(Scalar(corner[c][0]), 0), grid.cells(0));
+      const auto b = shapes::hat_axis(grid.coordinate(Scalar(corner[c][1]), 1), grid.cells(1));
+      anchor_[c] = {a.first + b.first * stride_, std::uint32_t(b.first / Grid<S>::block_edge), a.w[1], b.w[1]};
     });
     order_by_strip(std::size_t(grid.strip_count()));
   }
@@ -44,20 +40,19 @@ public:
   /// Calls f(corner, node, weight) for the four nodes around every corner, so
   /// that no two threads touch one node and in a fixed order at each: strips of
   /// one colour at once.
-  template <class F> void scatter(const F &f) const {
+  template <class F>
+  void scatter(const F& f) const {
     const int strips = int(strip_begin_.size()) - 1;
 #pragma omp parallel
     for (int colour = 0; colour < 2; ++colour) {
 #pragma omp for schedule(dynamic, 1)
       for (int s = colour; s < strips; s += 2)
         for (std::size_t k = strip_begin_[s]; k < strip_begin_[s + 1]; ++k)
-          around(order_[k],
-                 [&, c = order_[k]](int node, Scalar w) { f(c, node, w); });
+          around(order_[k], [&, c = order_[k]](int node, Scalar w) { f(c, node, w); });
     }
   }
   /// Interpolates nodal fields of the grid to the corners: own = sum w nodal.
-  void gather(const std::vector<Vector<S>> &nodal,
-              std::vector<Vector<S>> &own) const {
+  void gather(const std::vector<Vector<S>>& nodal, std::vector<Vector<S>>& own) const {
     own.resize(anchor_.size());
     for_each([&](std::size_t c) {
       Vector<S> value = Vector<S>::Zero();
@@ -67,14 +62,14 @@ public:
   }
   /// Calls f(corner) for every corner, in parallel; f may write to its own
   /// corner only.
-  template <class F> void for_each(const F &f) const {
+  template <class F>
+  void for_each(const F& f) const {
     const std::int64_t count = std::int64_t(anchor_.size());
 #pragma omp parallel for schedule(static)
-    for (std::int64_t c = 0; c < count; ++c)
-      f(std::size_t(c));
+    for (std::int64_t c = 0; c < count; ++c) f(std::size_t(c));
   }
 
-private:
+ private:
   /// The cell of a corner: its first node, and the corner's place between the
   /// nodes, 0 to 1.
   struct Anchor {
@@ -83,7 +78,8 @@ private:
     Scalar x, y;
   };
 
-  template <class F> void around(std::size_t c, const F &f) const {
+  template <class F>
+  void around(std::size_t c, const F& f) const {
     const auto [node, strip, x, y] = anchor_[c];
     f(node, (1 - x) * (1 - y));
     f(node + 1, x * (1 - y));
@@ -92,14 +88,11 @@ private:
   }
   void order_by_strip(std::size_t strips) {
     strip_begin_.assign(strips + 1, 0);
-    for (const auto &a : anchor_)
-      ++strip_begin_[a.strip + 1];
-    for (std::size_t s = 0; s < strips; ++s)
-      strip_begin_[s + 1] += strip_begin_[s];
+    for (const auto& a : anchor_) ++strip_begin_[a.strip + 1];
+    for (std::size_t s = 0; s < strips; ++s) strip_begin_[s + 1] += strip_begin_[s];
     next_ = strip_begin_;
     order_.resize(anchor_.size());
-    for (std::uint32_t c = 0; c < anchor_.size(); ++c)
-      order_[next_[anchor_[c].strip]++] = c;
+    for (std::uint32_t c = 0; c < anchor_.size(); ++c) order_[next_[anchor_[c].strip]++] = c;
   }
 
   std::vector<Anchor> anchor_;
@@ -108,4 +101,4 @@ private:
   int stride_ = 0;
 };
 
-} // namespace mpm
+}  // namespace mpm

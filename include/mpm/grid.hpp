@@ -13,14 +13,13 @@ namespace mpm {
 
 /// What lives on nodes, of the grid or on the corners between particles and
 /// grid.
-template <Space S> struct NodalFields {
-  std::vector<typename S::Scalar> mass; ///< m_I, kg
-  std::vector<Vector<S>>
-      velocity; ///< v_I, and v_I+ once the nodes are advanced, m/s
-  std::vector<Vector<S>>
-      increment; ///< f_I, and v_I+ - v_I once the nodes are advanced
-  std::vector<Vector<S>> strain_velocity; ///< MUSL: the remapped velocity that
-                                          ///< strains the particles
+template <Space S>
+struct NodalFields {
+  std::vector<typename S::Scalar> mass;    ///< m_I, kg
+  std::vector<Vector<S>> velocity;         ///< v_I, and v_I+ once the nodes are advanced, m/s
+  std::vector<Vector<S>> increment;        ///< f_I, and v_I+ - v_I once the nodes are advanced
+  std::vector<Vector<S>> strain_velocity;  ///< MUSL: the remapped velocity that
+                                           ///< strains the particles
 };
 
 /// The background grid: a box of cubic cells whose faces carry the boundary
@@ -29,12 +28,12 @@ template <Space S> struct NodalFields {
 /// Nodes are numbered x fastest. A stencil that would pass a face is folded
 /// onto it, so no node lies outside. Nodes are worked on in blocks of 4 a side,
 /// and only blocks near particles are: an empty domain costs nothing.
-template <Space S> class Grid : public NodalFields<S> {
-public:
+template <Space S>
+class Grid : public NodalFields<S> {
+ public:
   using Scalar = typename S::Scalar;
   static constexpr int dimension = S::dimension;
-  static constexpr int block_edge =
-      4; ///< nodes or cells along the edge of a block
+  static constexpr int block_edge = 4;  ///< nodes or cells along the edge of a block
 
   using NodalFields<S>::mass;
   using NodalFields<S>::velocity;
@@ -43,19 +42,14 @@ public:
   Grid() = default;
   /// A box from `origin` with `cells` cells of edge `cell` along each axis.
   /// Throws Error on a cell that is not positive or an empty box.
-  Grid(const Vector<S> &box_origin, Scalar cell_edge,
-       const std::array<int, dimension> &cell_counts)
-      : origin_(box_origin), cell_(cell_edge), inverse_(1 / cell_edge),
-        cells_(cell_counts) {
+  Grid(const Vector<S>& box_origin, Scalar cell_edge, const std::array<int, dimension>& cell_counts)
+      : origin_(box_origin), cell_(cell_edge), inverse_(1 / cell_edge), cells_(cell_counts) {
     if (!(cell_ > 0) || !std::isfinite(cell_))
-      throw Error("grid: the cell must be positive, not " +
-                  std::to_string(cell_));
+      throw Error("grid: the cell must be positive, not " + std::to_string(cell_));
     std::size_t nodes = 1;
     int blocks = 1;
     for (int d = 0; d < dimension; ++d) {
-      if (cells_[d] < 1)
-        throw Error("grid: axis " + std::to_string(d) +
-                    " has no cell; give at least one");
+      if (cells_[d] < 1) throw Error("grid: axis " + std::to_string(d) + " has no cell; give at least one");
       stride_[d] = int(nodes);
       block_stride_[d] = blocks;
       nodes *= std::size_t(cells_[d] + 1);
@@ -70,7 +64,7 @@ public:
     active_.reserve(std::size_t(blocks));
   }
 
-  const Vector<S> &origin() const { return origin_; }
+  const Vector<S>& origin() const { return origin_; }
   Scalar cell() const { return cell_; }
   Scalar inverse_cell() const { return inverse_; }
   int cells(int d) const { return cells_[d]; }
@@ -80,13 +74,10 @@ public:
 
   /// Position in cells from the origin along axis d, held inside the box.
   Scalar coordinate(Scalar x, int d) const {
-    return std::clamp((x - origin_[d]) * inverse_, Scalar(0),
-                      Scalar(cells_[d]));
+    return std::clamp((x - origin_[d]) * inverse_, Scalar(0), Scalar(cells_[d]));
   }
   /// Index along axis d of the cell that holds `coordinate`.
-  int cell_index(Scalar coordinate, int d) const {
-    return std::min(int(coordinate), cells_[d] - 1);
-  }
+  int cell_index(Scalar coordinate, int d) const { return std::min(int(coordinate), cells_[d] - 1); }
   Vector<S> position(int node) const {
     Vector<S> x;
     for (int d = dimension - 1; d >= 0; --d) {
@@ -104,8 +95,7 @@ public:
   int block_stride(int d) const { return block_stride_[d]; }
 
   void deactivate_all() {
-    for (int b : active_)
-      is_active_[b] = 0;
+    for (int b : active_) is_active_[b] = 0;
     active_.clear();
   }
   /// Marks a block and its neighbours: what particles in it can reach.
@@ -114,10 +104,9 @@ public:
     for (int d = dimension - 1, rest = block; d >= 0; --d) {
       const int i = rest / block_stride_[d];
       rest %= block_stride_[d];
-      low[d] = std::max(i - 1, 0),
-      high[d] = std::min(i + 1, block_count(d) - 1);
+      low[d] = std::max(i - 1, 0), high[d] = std::min(i + 1, block_count(d) - 1);
     }
-    for_each_index(low, high, [&](const auto &i) { activate(block_index(i)); });
+    for_each_index(low, high, [&](const auto& i) { activate(block_index(i)); });
   }
   /// Marks the block of one node.
   void activate_node(int node) {
@@ -132,15 +121,16 @@ public:
   void sort_active() { std::sort(active_.begin(), active_.end()); }
 
   /// Calls f(node) for every node of every active block, blocks in parallel.
-  template <class F> void for_each_active(const F &f) const {
+  template <class F>
+  void for_each_active(const F& f) const {
     const int count = int(active_.size());
 #pragma omp parallel for schedule(static)
-    for (int a = 0; a < count; ++a)
-      for_each_node(active_[a], f);
+    for (int a = 0; a < count; ++a) for_each_node(active_[a], f);
   }
   /// Sum over active nodes of f(node), added in a fixed order: the same bits at
   /// any thread count.
-  template <class F> double sum_active(const F &f) const {
+  template <class F>
+  double sum_active(const F& f) const {
     partial_.resize(active_.size());
     const int count = int(active_.size());
 #pragma omp parallel for schedule(static)
@@ -150,66 +140,60 @@ public:
       partial_[a] = sum;
     }
     double total = 0;
-    for (double p : partial_)
-      total += p;
+    for (double p : partial_) total += p;
     return total;
   }
   /// Calls f(node) for every node of the face `side` (0 lower, 1 upper) of axis
   /// d, in a fixed order.
-  template <class F> void for_each_on_face(int d, int side, const F &f) const {
+  template <class F>
+  void for_each_on_face(int d, int side, const F& f) const {
     std::array<int, dimension> low{}, high = cells_;
     low[d] = high[d] = side == 0 ? 0 : cells_[d];
-    for_each_index(low, high, [&](const auto &i) { f(node_index(i), i); });
+    for_each_index(low, high, [&](const auto& i) { f(node_index(i), i); });
   }
 
-  int node_index(const std::array<int, dimension> &i) const {
+  int node_index(const std::array<int, dimension>& i) const {
     int node = 0;
-    for (int d = 0; d < dimension; ++d)
-      node += i[d] * stride_[d];
+    for (int d = 0; d < dimension; ++d) node += i[d] * stride_[d];
     return node;
   }
-  int block_index(const std::array<int, dimension> &i) const {
+  int block_index(const std::array<int, dimension>& i) const {
     int block = 0;
-    for (int d = 0; d < dimension; ++d)
-      block += i[d] * block_stride_[d];
+    for (int d = 0; d < dimension; ++d) block += i[d] * block_stride_[d];
     return block;
   }
 
-private:
+ private:
   void activate(int block) {
-    if (is_active_[block])
-      return;
+    if (is_active_[block]) return;
     is_active_[block] = 1;
     active_.push_back(block);
   }
   template <class F>
-  static void for_each_index(const std::array<int, dimension> &low,
-                             const std::array<int, dimension> &high,
-                             const F &f) {
+  static void for_each_index(const std::array<int, dimension>& low, const std::array<int, dimension>& high,
+                             const F& f) {
     std::array<int, dimension> i = low;
     const auto inner = [&] {
-      for (i[0] = low[0]; i[0] <= high[0]; ++i[0])
-        f(i);
+      for (i[0] = low[0]; i[0] <= high[0]; ++i[0]) f(i);
     };
     if constexpr (dimension == 1) {
       inner();
     } else if constexpr (dimension == 2) {
-      for (i[1] = low[1]; i[1] <= high[1]; ++i[1])
-        inner();
+      for (i[1] = low[1]; i[1] <= high[1]; ++i[1]) inner();
     } else {
       for (i[2] = low[2]; i[2] <= high[2]; ++i[2])
-        for (i[1] = low[1]; i[1] <= high[1]; ++i[1])
-          inner();
+        for (i[1] = low[1]; i[1] <= high[1]; ++i[1]) inner();
     }
   }
-  template <class F> void for_each_node(int block, const F &f) const {
+  template <class F>
+  void for_each_node(int block, const F& f) const {
     std::array<int, dimension> low, high;
     for (int d = dimension - 1; d >= 0; --d) {
       low[d] = block / block_stride_[d] * block_edge;
       high[d] = std::min(low[d] + block_edge - 1, cells_[d]);
       block %= block_stride_[d];
     }
-    for_each_index(low, high, [&](const auto &i) { f(node_index(i)); });
+    for_each_index(low, high, [&](const auto& i) { f(node_index(i)); });
   }
 
   Vector<S> origin_ = Vector<S>::Zero();
@@ -220,4 +204,4 @@ private:
   mutable std::vector<double> partial_;
 };
 
-} // namespace mpm
+}  // namespace mpm

@@ -12,22 +12,24 @@
 namespace mpm {
 
 namespace detail {
-template <class List> struct TransfersOf;
-template <class... B> struct TransfersOf<std::tuple<B...>> {
+template <class List>
+struct TransfersOf;
+template <class... B>
+struct TransfersOf<std::tuple<B...>> {
   using Type = std::tuple<Transfer<B>...>;
 };
-} // namespace detail
+}  // namespace detail
 
 /// The material point method: one background grid, any number of bodies, one
 /// shape function and one law a body, one time integrator. `step()` is its
 /// table of contents.
-template <class Shape, class Material, Integrator IntegratorT,
-          Space S = PlaneStrain<>>
+template <class Shape, class Material, Integrator IntegratorT, Space S = PlaneStrain<>>
 class Solver {
-public:
+ public:
   using Scalar = typename S::Scalar;
   using BodyList = Bodies<Shape, Material, S>;
-  template <int I> using BodyAt = std::tuple_element_t<I, BodyList>;
+  template <int I>
+  using BodyAt = std::tuple_element_t<I, BodyList>;
   static constexpr StressUpdate stress_update = IntegratorT::stress_update;
   static_assert(
       requires(IntegratorT i, Grid<S> g, Scalar dt) { i.advance(g, dt); },
@@ -38,20 +40,21 @@ public:
   BodyList bodies;
   IntegratorT integrator{};
   Box<S> boundary;
-  Vector<S> body_force = Vector<S>::Zero(); ///< b, m/s2
-  Scalar safety = Scalar(0.8); ///< share of the stable step that is taken
-  Scalar time = 0;             ///< s
+  Vector<S> body_force = Vector<S>::Zero();  ///< b, m/s2
+  Scalar safety = Scalar(0.8);               ///< share of the stable step that is taken
+  Scalar time = 0;                           ///< s
   std::int64_t steps = 0;
 
   /// Takes the grid and the bodies, in the order of the columns.
   template <class... B>
-  explicit Solver(Grid<S> background, B... body)
-      : grid(std::move(background)), bodies(std::move(body)...) {
-    if constexpr (stress_update == StressUpdate::modified_last)
-      grid.strain_velocity = grid.velocity;
+  explicit Solver(Grid<S> background, B... body) : grid(std::move(background)), bodies(std::move(body)...) {
+    if constexpr (stress_update == StressUpdate::modified_last) grid.strain_velocity = grid.velocity;
   }
 
-  template <int I = 0> BodyAt<I> &body() { return std::get<I>(bodies); }
+  template <int I = 0>
+  BodyAt<I>& body() {
+    return std::get<I>(bodies);
+  }
 
   /// One step, as long as is stable but no longer than `longest`; returns its
   /// length, s. Throws Error when a particle leaves the grid, a volume or a
@@ -60,19 +63,15 @@ public:
     locate_particles();
     gather_nodes();
     const Scalar dt = std::min(longest, stable_step());
-    if constexpr (stress_update == StressUpdate::first)
-      strain_first(dt);
+    if constexpr (stress_update == StressUpdate::first) strain_first(dt);
     assemble_forces();
     boundary.load(grid);
     boundary.constrain(grid.increment, grid);
     integrator.advance(grid, dt);
     boundary.absorb(grid, dt);
-    if constexpr (!IntegratorT::keeps_node_velocity)
-      update_particle_velocities();
-    if constexpr (stress_update == StressUpdate::modified_last)
-      remap_momentum();
-    if constexpr (stress_update != StressUpdate::first)
-      strain(dt);
+    if constexpr (!IntegratorT::keeps_node_velocity) update_particle_velocities();
+    if constexpr (stress_update == StressUpdate::modified_last) remap_momentum();
+    if constexpr (stress_update != StressUpdate::first) strain(dt);
     convect_particles(dt);
     time += dt;
     ++steps;
@@ -81,14 +80,15 @@ public:
 
   /// Steps until `end`, which is met exactly; calls `after(solver)` after each
   /// step.
-  template <class F> void run(Scalar end, const F &after) {
+  template <class F>
+  void run(Scalar end, const F& after) {
     while (time < end) {
       step(end - time);
       after(*this);
     }
   }
   void run(Scalar end) {
-    run(end, [](const Solver &) {});
+    run(end, [](const Solver&) {});
   }
 
   /// Nodal forces -V sigma grad w + w m b of the present state in
@@ -109,22 +109,21 @@ public:
   /// forces, N.
   double force_scale() {
     std::vector<Scalar> scale(grid.size(), 0);
-    for_each_body([&](auto &b, auto &transfer) {
-      transfer.scatter_force_scale(b, grid, scale);
-    });
+    for_each_body([&](auto& b, auto& transfer) { transfer.scatter_force_scale(b, grid, scale); });
     double sum = 0;
-    for (Scalar s : scale)
-      sum += double(s) * double(s);
+    for (Scalar s : scale) sum += double(s) * double(s);
     return std::sqrt(sum);
   }
 
   /// Calls f(body) for every body, in order.
-  template <class F> void for_bodies(const F &f) {
-    for_each_body([&](auto &b, auto &) { f(b); });
+  template <class F>
+  void for_bodies(const F& f) {
+    for_each_body([&](auto& b, auto&) { f(b); });
   }
 
-private:
-  template <class F> void for_each_body(const F &f) {
+ private:
+  template <class F>
+  void for_each_body(const F& f) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       (f(std::get<I>(bodies), std::get<I>(transfers_)), ...);
     }
@@ -133,11 +132,9 @@ private:
 
   void locate_particles() {
     grid.deactivate_all();
-    for_each_body([&](auto &b, auto &transfer) {
-      if (steps == 0)
-        check_policies(b);
-      if (const std::size_t p = first_unfit(b); p < b.size())
-        fail_unfit(b, p);
+    for_each_body([&](auto& b, auto& transfer) {
+      if (steps == 0) check_policies(b);
+      if (const std::size_t p = first_unfit(b); p < b.size()) fail_unfit(b, p);
       transfer.locate(b, grid);
     });
     grid.sort_active();
@@ -147,34 +144,29 @@ private:
   void gather_nodes() {
     grid.for_each_active([&](int n) {
       grid.mass[n] = 0;
-      if constexpr (!IntegratorT::keeps_node_velocity)
-        grid.velocity[n].setZero();
+      if constexpr (!IntegratorT::keeps_node_velocity) grid.velocity[n].setZero();
       grid.increment[n].setZero();
     });
-    for_each_body([&](auto &b, auto &transfer) {
+    for_each_body([&](auto& b, auto& transfer) {
       if constexpr (IntegratorT::keeps_node_velocity) {
         transfer.scatter_mass(b, grid);
       } else {
         transfer.scatter_momentum(b, grid, grid.velocity);
       }
     });
-    if constexpr (!IntegratorT::keeps_node_velocity)
-      divide_by_mass(grid.velocity);
+    if constexpr (!IntegratorT::keeps_node_velocity) divide_by_mass(grid.velocity);
   }
   void assemble_forces() {
-    for_each_body([&](auto &b, auto &transfer) {
-      transfer.scatter_force(b, grid, body_force);
-    });
+    for_each_body([&](auto& b, auto& transfer) { transfer.scatter_force(b, grid, body_force); });
   }
-  void divide_by_mass(std::vector<Vector<S>> &momentum) {
+  void divide_by_mass(std::vector<Vector<S>>& momentum) {
     grid.for_each_active([&](int n) {
-      if (grid.mass[n] > 0)
-        momentum[n] /= grid.mass[n];
+      if (grid.mass[n] > 0) momentum[n] /= grid.mass[n];
     });
     boundary.constrain(momentum, grid);
   }
   void update_particle_velocities() {
-    for_each_body([&](auto &b, auto &transfer) {
+    for_each_body([&](auto& b, auto& transfer) {
       transfer.fetch_velocity(grid);
       transfer.fetch_increment(grid);
       gather_velocity(b, transfer.nodes(grid), integrator);
@@ -182,17 +174,14 @@ private:
   }
   /// MUSL: the particles' new momenta, back on the nodes.
   void remap_momentum() {
-    grid.for_each_active(
-        [&](int n) { grid.mass[n] = 0, grid.strain_velocity[n].setZero(); });
-    for_each_body([&](auto &b, auto &transfer) {
-      transfer.scatter_momentum(b, grid, grid.strain_velocity);
-    });
+    grid.for_each_active([&](int n) { grid.mass[n] = 0, grid.strain_velocity[n].setZero(); });
+    for_each_body([&](auto& b, auto& transfer) { transfer.scatter_momentum(b, grid, grid.strain_velocity); });
     divide_by_mass(grid.strain_velocity);
   }
   /// The field that strains particles and moves corners: v_I (USF), v_I+ (USL),
   /// or the remapped one (MUSL).
   template <class Nodes>
-  static const auto &strain_velocity(const Nodes &nodes) {
+  static const auto& strain_velocity(const Nodes& nodes) {
     if constexpr (stress_update == StressUpdate::modified_last) {
       return nodes.strain_velocity;
     } else {
@@ -205,35 +194,30 @@ private:
   void strain_first(Scalar dt) {
     strain(dt);
     bool domains_changed = false;
-    for_each_body([&]<class B>(B &, auto &) {
-      domains_changed |=
-          B::Shape::domain_motion == DomainMotion::deformation_gradient;
-    });
-    if (!domains_changed)
-      return;
+    for_each_body(
+        [&]<class B>(B&, auto&) { domains_changed |= B::Shape::domain_motion == DomainMotion::deformation_gradient; });
+    if (!domains_changed) return;
     locate_particles();
     gather_nodes();
   }
   void strain(Scalar dt) {
-    for_each_body([&](auto &b, auto &transfer) {
+    for_each_body([&](auto& b, auto& transfer) {
       if constexpr (stress_update == StressUpdate::modified_last) {
         transfer.fetch_strain_velocity(grid);
       } else {
         transfer.fetch_velocity(grid);
       }
-      const auto &nodes = transfer.nodes(grid);
-      const std::size_t bad = update_stress(b, nodes, strain_velocity(nodes),
-                                            grid.cell(), time, dt, partial_);
+      const auto& nodes = transfer.nodes(grid);
+      const std::size_t bad = update_stress(b, nodes, strain_velocity(nodes), grid.cell(), time, dt, partial_);
       if (bad < b.size())
         fail(b, bad, "has a volume or stress that is no longer a finite number",
              "lower `safety`, or refine the grid there");
     });
   }
   void convect_particles(Scalar dt) {
-    for_each_body([&](auto &b, auto &transfer) {
-      const auto &nodes = transfer.nodes(grid);
-      if (const std::size_t p = convect(b, nodes, strain_velocity(nodes), dt);
-          p < b.size())
+    for_each_body([&](auto& b, auto& transfer) {
+      const auto& nodes = transfer.nodes(grid);
+      if (const std::size_t p = convect(b, nodes, strain_velocity(nodes), dt); p < b.size())
         fail(b, p, "has a domain turned inside out",
              "refine the grid there, lower `safety`, or take a shape that "
              "cannot invert, such as mpm::Cpdi");
@@ -242,28 +226,21 @@ private:
   Scalar stable_step() {
     if (steps % IntegratorT::step_interval == 0) {
       stable_ = std::numeric_limits<Scalar>::max();
-      for_each_body([&](auto &b, auto &) {
-        stable_ = std::min(stable_, mpm::stable_step(b, grid));
-      });
+      for_each_body([&](auto& b, auto&) { stable_ = std::min(stable_, mpm::stable_step(b, grid)); });
       if (!(stable_ > 0)) {
-        for_each_body([&](auto &b, auto &) { blame(b); });
-        throw Error("no particle allows a stable step, in step " +
-                    std::to_string(steps));
+        for_each_body([&](auto& b, auto&) { blame(b); });
+        throw Error("no particle allows a stable step, in step " + std::to_string(steps));
       }
     }
     return safety * stable_;
   }
 
-  template <class B> void check_policies(const B &b) const {
-    if (b.size() == 0)
-      return;
-    if constexpr (requires { b.shape.check(b, grid); })
-      b.shape.check(b, grid);
-    const auto moduli =
-        b.law.tangent(b.law.template initial<Scalar>(), Scalar(1));
-    if (std::isfinite(moduli.longitudinal) && moduli.longitudinal >= 0 &&
-        moduli.shear >= 0)
-      return;
+  template <class B>
+  void check_policies(const B& b) const {
+    if (b.size() == 0) return;
+    if constexpr (requires { b.shape.check(b, grid); }) b.shape.check(b, grid);
+    const auto moduli = b.law.tangent(b.law.template initial<Scalar>(), Scalar(1));
+    if (std::isfinite(moduli.longitudinal) && moduli.longitudinal >= 0 && moduli.shear >= 0) return;
     std::ostringstream text;
     text << "body " << b.name
          << ": the law's stiffness at rest is no finite positive number "
@@ -275,46 +252,41 @@ private:
   }
 
   /// Outside the grid by more than half a cell, or nowhere.
-  template <class B> bool outside(const B &b, std::size_t p) const {
+  template <class B>
+  bool outside(const B& b, std::size_t p) const {
     const Scalar margin = grid.cell() / 2;
     bool inside = true;
     for (int d = 0; d < S::dimension; ++d)
-      inside = inside && b.x(d)[p] >= grid.origin()[d] - margin &&
-               b.x(d)[p] <= grid.upper(d) + margin;
+      inside = inside && b.x(d)[p] >= grid.origin()[d] - margin && b.x(d)[p] <= grid.upper(d) + margin;
     return !inside;
   }
   /// First particle that no step can start from, or size().
-  template <class B> std::size_t first_unfit(const B &b) const {
+  template <class B>
+  std::size_t first_unfit(const B& b) const {
     std::int64_t bad = std::int64_t(b.size());
 #pragma omp parallel for schedule(static) reduction(min : bad)
     for (std::int64_t p = 0; p < std::int64_t(b.size()); ++p) {
       bool fit = b.volume()[p] > 0 && !outside(b, std::size_t(p));
-      for (int d = 0; d < S::dimension; ++d)
-        fit = fit && std::isfinite(b.v(d)[p]);
-      if (!fit)
-        bad = std::min(bad, p);
+      for (int d = 0; d < S::dimension; ++d) fit = fit && std::isfinite(b.v(d)[p]);
+      if (!fit) bad = std::min(bad, p);
     }
     return std::size_t(bad);
   }
   template <class B>
-  [[noreturn]] void fail_unfit(const B &b, std::size_t p) const {
-    if (outside(b, p))
-      fail(b, p, "has left the grid",
-           "enlarge the grid, or close its faces with walls");
+  [[noreturn]] void fail_unfit(const B& b, std::size_t p) const {
+    if (outside(b, p)) fail(b, p, "has left the grid", "enlarge the grid, or close its faces with walls");
     if (!(b.volume()[p] > 0))
-      fail(b, p, "has a volume that is not positive",
-           "lower `safety`, or refine the grid there");
+      fail(b, p, "has a volume that is not positive", "lower `safety`, or refine the grid there");
     fail(b, p, "has a velocity that is no finite number",
          "look at its stress in the last snapshot, and lower `safety`");
   }
-  template <class B> void blame(const B &b) const {
+  template <class B>
+  void blame(const B& b) const {
     for (std::size_t p = 0; p < b.size(); ++p) {
       const auto moduli = b.law.tangent(b.state(p), b.relative_volume(p));
       if (!std::isfinite(trace(b.stress(p)) + equivalent_stress(b.stress(p))))
-        fail(b, p, "has a stress that is no finite number",
-             "lower `safety`, or look at the parameters of its law");
-      if (!std::isfinite(moduli.longitudinal + moduli.shear) ||
-          !(moduli.longitudinal >= 0))
+        fail(b, p, "has a stress that is no finite number", "lower `safety`, or look at the parameters of its law");
+      if (!std::isfinite(moduli.longitudinal + moduli.shear) || !(moduli.longitudinal >= 0))
         fail(b, p,
              "allows no stable step, since its stiffness is no finite positive "
              "number",
@@ -322,14 +294,11 @@ private:
     }
   }
   template <class B>
-  [[noreturn]] void fail(const B &b, std::size_t p, const char *what,
-                         const char *remedy) const {
+  [[noreturn]] void fail(const B& b, std::size_t p, const char* what, const char* remedy) const {
     std::ostringstream text;
     text << "particle " << p << " of " << b.name << " at (";
-    for (int d = 0; d < S::dimension; ++d)
-      text << (d ? ", " : "") << b.x(d)[p];
-    text << ") m " << what << ", in step " << steps << " at " << time
-         << " s: " << remedy;
+    for (int d = 0; d < S::dimension; ++d) text << (d ? ", " : "") << b.x(d)[p];
+    text << ") m " << what << ", in step " << steps << " at " << time << " s: " << remedy;
     throw Error(text.str());
   }
 
@@ -338,4 +307,4 @@ private:
   Scalar stable_ = 0;
 };
 
-} // namespace mpm
+}  // namespace mpm

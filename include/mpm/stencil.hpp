@@ -7,36 +7,37 @@ namespace mpm {
 /// The nodes one particle talks to: `for (const auto& [I, w, grad] : stencil)`
 /// gives node I, w_Ip and grad w_Ip. A node may stand twice (corners of one
 /// domain in one cell); sums over the stencil are what counts.
-template <class Scalar, int Dimension, int MaxNodes> class Stencil {
-public:
+template <class Scalar, int Dimension, int MaxNodes>
+class Stencil {
+ public:
   struct Entry {
     int node;
     Scalar weight;
     std::array<Scalar, Dimension> gradient;
   };
 
-  void add(int node, Scalar weight,
-           const std::array<Scalar, Dimension> &gradient) {
+  void add(int node, Scalar weight, const std::array<Scalar, Dimension>& gradient) {
     entries_[size_++] = {node, weight, gradient};
   }
   int size() const { return size_; }
-  const Entry *begin() const { return entries_.data(); }
-  const Entry *end() const { return entries_.data() + size_; }
-  Entry *begin() { return entries_.data(); }
-  Entry *end() { return entries_.data() + size_; }
+  const Entry* begin() const { return entries_.data(); }
+  const Entry* end() const { return entries_.data() + size_; }
+  Entry* begin() { return entries_.data(); }
+  Entry* end() { return entries_.data() + size_; }
 
-private:
+ private:
   int size_ = 0;
   std::array<Entry, MaxNodes> entries_;
 };
 
 /// One axis of a tensor-product stencil: consecutive nodes from `first`, values
 /// and derivatives.
-template <class Scalar, int MaxNodes> struct AxisStencil {
+template <class Scalar, int MaxNodes>
+struct AxisStencil {
   int first = 0;
   int size = 0;
   std::array<Scalar, MaxNodes> w;
   std::array<Scalar, MaxNodes> dw;
 };
 
-} // namespace mpm
+}  // namespace mpm

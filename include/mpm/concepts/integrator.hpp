@@ -6,10 +6,10 @@ namespace mpm {
 
 /// When a step strains its particles.
 enum class StressUpdate {
-  first,        ///< USF: with the velocities before the forces act
-  last,         ///< USL: with the advanced velocities
-  modified_last ///< MUSL: with the particles' new momenta, remapped to the
-                ///< nodes
+  first,         ///< USF: with the velocities before the forces act
+  last,          ///< USL: with the advanced velocities
+  modified_last  ///< MUSL: with the particles' new momenta, remapped to the
+                 ///< nodes
 };
 
 /// INTEGRATOR: how nodes and particles go from one time to the next.
@@ -32,4 +32,4 @@ concept Integrator = requires {
   { integrator.particle_velocity(v, v, v) } -> std::convertible_to<double>;
 });
 
-} // namespace mpm
+}  // namespace mpm

@@ -8,22 +8,24 @@ namespace mpm {
 
 /// What a law is told about one step of one particle. Tension positive, SI
 /// units.
-template <class V> struct Increment {
-  Tensor<V> L{}; ///< velocity gradient over the step, 1/s; always 3x3 (the
-                 ///< space lifts it)
-  Tensor<V> F = Tensor<V>::identity(); ///< deformation gradient at the step's
-                                       ///< end; only for laws that ask for it
-  V J{1};     ///< relative volume V/V0 = density/rho at the step's end
-  V J_old{1}; ///< and at its start
-  V dt{};     ///< step, s
-  V time{};   ///< time at the step's end, s
-  V size{};   ///< size of the particle, m (fracture energy: l_c)
-  V cell{};   ///< cell of the grid, m (bulk viscosity: h)
+template <class V>
+struct Increment {
+  Tensor<V> L{};                        ///< velocity gradient over the step, 1/s; always 3x3 (the
+                                        ///< space lifts it)
+  Tensor<V> F = Tensor<V>::identity();  ///< deformation gradient at the step's
+                                        ///< end; only for laws that ask for it
+  V J{1};                               ///< relative volume V/V0 = density/rho at the step's end
+  V J_old{1};                           ///< and at its start
+  V dt{};                               ///< step, s
+  V time{};                             ///< time at the step's end, s
+  V size{};                             ///< size of the particle, m (fracture energy: l_c)
+  V cell{};                             ///< cell of the grid, m (bulk viscosity: h)
 };
 
 /// Tangent moduli, Pa: longitudinal K + 4G/3 and shear G. The step is taken
 /// from these, never from constants.
-template <class V> struct Moduli {
+template <class V>
+struct Moduli {
   V longitudinal{};
   V shear{};
 };
@@ -51,13 +53,10 @@ template <class V> struct Moduli {
 /// branch-free.
 template <class M>
 concept Material = std::is_aggregate_v<M> &&
-    requires(const M law, typename M::template State<double> state,
-             const Increment<double> step, double J) {
+    requires(const M law, typename M::template State<double> state, const Increment<double> step, double J) {
   { law.density } -> std::convertible_to<double>;
   { M::history.size() } -> std::convertible_to<std::size_t>;
-  {
-    law.template initial<double>()
-    } -> std::same_as<typename M::template State<double>>;
+  { law.template initial<double>() } -> std::same_as<typename M::template State<double>>;
   law.update(state, step);
   { law.tangent(state, J) } -> std::same_as<Moduli<double>>;
 };
@@ -69,8 +68,9 @@ concept Fluid = Material<M> && requires(typename M::template State<double> s) {
 };
 
 /// A law that asks for the deformation gradient.
-template <class M> inline constexpr bool needs_deformation_gradient = requires {
+template <class M>
+inline constexpr bool needs_deformation_gradient = requires {
   requires M::needs_deformation_gradient;
 };
 
-} // namespace mpm
+}  // namespace mpm

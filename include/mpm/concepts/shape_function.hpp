@@ -8,10 +8,10 @@ namespace mpm {
 
 /// How a particle's domain follows the motion.
 enum class DomainMotion {
-  rigid,                ///< keeps its size (linear, uGIMP)
-  deformation_gradient, ///< follows F, which the body then stores (cpGIMP,
-                        ///< CPDI)
-  corners ///< its corners ride the grid: the shape has `convect` (CPDI2)
+  rigid,                 ///< keeps its size (linear, uGIMP)
+  deformation_gradient,  ///< follows F, which the body then stores (cpGIMP,
+                         ///< CPDI)
+  corners                ///< its corners ride the grid: the shape has `convect` (CPDI2)
 };
 
 /// SHAPE FUNCTION: which nodes a particle talks to, and how its domain moves.
@@ -34,10 +34,9 @@ enum class DomainMotion {
 ///   - optional `check(body, grid)`: throws Error before the first step when
 ///   its parameters are not fit for work.
 template <class S>
-concept ShapeFunction = std::default_initializable<S> &&
-    requires(S shape, std::span<const std::uint32_t> order) {
+concept ShapeFunction = std::default_initializable<S> && requires(S shape, std::span<const std::uint32_t> order) {
   { S::domain_motion } -> std::convertible_to<DomainMotion>;
   shape.permute(order);
 };
 
-} // namespace mpm
+}  // namespace mpm

@@ -25,10 +25,11 @@ concept Space = std::floating_point<typename S::Scalar> && requires {
 };
 
 namespace detail {
-template <class Real, int Dimension, bool Hoop> struct SpaceBase {
+template <class Real, int Dimension, bool Hoop>
+struct SpaceBase {
   using Scalar = Real;
   static constexpr int dimension = Dimension;
   static constexpr bool hoop = Hoop;
 };
-} // namespace detail
-} // namespace mpm
+}  // namespace detail
+}  // namespace mpm

@@ -7,18 +7,19 @@ namespace mpm {
 
 /// Explicit dynamics, symplectic Euler on the nodes, with a blend of FLIP and
 /// PIC to the particles.
-template <StressUpdate When> struct Explicit {
-  double flip = 1; ///< 1: the increment (FLIP, Brackbill & Ruppel 1986), 0: the
-                   ///< nodal velocity itself (PIC)
+template <StressUpdate When>
+struct Explicit {
+  double flip = 1;  ///< 1: the increment (FLIP, Brackbill & Ruppel 1986), 0: the
+                    ///< nodal velocity itself (PIC)
 
   static constexpr StressUpdate stress_update = When;
   static constexpr bool keeps_node_velocity = false;
   static constexpr int step_interval = 1;
 
-  template <class S> void advance(Grid<S> &grid, typename S::Scalar dt) const {
+  template <class S>
+  void advance(Grid<S>& grid, typename S::Scalar dt) const {
     grid.for_each_active([&](int node) {
-      if (!(grid.mass[node] > 0))
-        return;
+      if (!(grid.mass[node] > 0)) return;
       grid.increment[node] *= dt / grid.mass[node];
       grid.velocity[node] += grid.increment[node];
     });
@@ -36,4 +37,4 @@ using Musl = Explicit<StressUpdate::modified_last>;
 
 static_assert(Integrator<Usf> && Integrator<Usl> && Integrator<Musl>);
 
-} // namespace mpm
+}  // namespace mpm

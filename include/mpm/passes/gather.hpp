@@ -7,50 +7,41 @@ namespace mpm {
 
 /// Sum w_Ip v_I of a nodal vector field.
 template <class S, class Out>
-Vector<S> interpolate(const Out &stencil, const std::vector<Vector<S>> &field) {
+Vector<S> interpolate(const Out& stencil, const std::vector<Vector<S>>& field) {
   Vector<S> value = Vector<S>::Zero();
-  for (const auto &[I, w, grad] : stencil)
-    value += w * field[I];
+  for (const auto& [I, w, grad] : stencil) value += w * field[I];
   return value;
 }
 
 /// Velocity gradient sum v_I (x) grad w_Ip, lifted to 3x3 (v_r / r in the hoop
 /// direction).
 template <class S, class Out>
-Tensor<typename S::Scalar>
-velocity_gradient(const Out &stencil, const std::vector<Vector<S>> &velocity,
-                  typename S::Scalar radius) {
+Tensor<typename S::Scalar> velocity_gradient(const Out& stencil, const std::vector<Vector<S>>& velocity,
+                                             typename S::Scalar radius) {
   using Scalar = typename S::Scalar;
   constexpr int dimension = S::dimension;
   Scalar g[3][3] = {};
   Scalar hoop = 0;
-  for (const auto &[I, w, grad] : stencil) {
-    const auto &v = velocity[I];
+  for (const auto& [I, w, grad] : stencil) {
+    const auto& v = velocity[I];
     for (int i = 0; i < dimension; ++i)
-      for (int j = 0; j < dimension; ++j)
-        g[i][j] += v[i] * grad[j];
-    if constexpr (S::hoop)
-      hoop += w * v[0];
+      for (int j = 0; j < dimension; ++j) g[i][j] += v[i] * grad[j];
+    if constexpr (S::hoop) hoop += w * v[0];
   }
-  if constexpr (S::hoop)
-    g[2][2] = hoop / radius;
-  return {g[0][0], g[0][1], g[0][2], g[1][0], g[1][1],
-          g[1][2], g[2][0], g[2][1], g[2][2]};
+  if constexpr (S::hoop) g[2][2] = hoop / radius;
+  return {g[0][0], g[0][1], g[0][2], g[1][0], g[1][1], g[1][2], g[2][0], g[2][1], g[2][2]};
 }
 
 /// v_p from the nodes, as the integrator blends the increment (FLIP) and the
 /// velocity itself (PIC).
 template <class Body, class Nodes, class Integrator>
-void gather_velocity(Body &body, const Nodes &nodes,
-                     const Integrator &integrator) {
+void gather_velocity(Body& body, const Nodes& nodes, const Integrator& integrator) {
   using S = typename Body::SpaceType;
   for_each_particle(body, [&](std::size_t p) {
     const auto stencil = make_stencil(body, p, nodes);
-    const Vector<S> increment = interpolate<S>(stencil, nodes.increment),
-                    v = interpolate<S>(stencil, nodes.velocity);
+    const Vector<S> increment = interpolate<S>(stencil, nodes.increment), v = interpolate<S>(stencil, nodes.velocity);
     for (int d = 0; d < S::dimension; ++d)
-      body.v(d)[p] =
-          integrator.particle_velocity(body.v(d)[p], v[d], increment[d]);
+      body.v(d)[p] = integrator.particle_velocity(body.v(d)[p], v[d], increment[d]);
   });
 }
 
@@ -58,8 +49,7 @@ void gather_velocity(Body &body, const Nodes &nodes,
 /// the field that strains the particles. Returns the first particle whose
 /// domain has inverted, or body.size().
 template <class Body, class Nodes, class S = typename Body::SpaceType>
-std::size_t convect(Body &body, const Nodes &nodes,
-                    const std::vector<Vector<S>> &strain_velocity,
+std::size_t convect(Body& body, const Nodes& nodes, const std::vector<Vector<S>>& strain_velocity,
                     typename S::Scalar dt) {
   if constexpr (Body::Shape::domain_motion == DomainMotion::corners) {
     static_assert(
@@ -70,13 +60,11 @@ std::size_t convect(Body &body, const Nodes &nodes,
     return body.shape.convect(body, strain_velocity, dt);
   } else {
     for_each_particle(body, [&](std::size_t p) {
-      const Vector<S> v =
-          interpolate<S>(make_stencil(body, p, nodes), nodes.velocity);
-      for (int d = 0; d < S::dimension; ++d)
-        body.x(d)[p] += dt * v[d];
+      const Vector<S> v = interpolate<S>(make_stencil(body, p, nodes), nodes.velocity);
+      for (int d = 0; d < S::dimension; ++d) body.x(d)[p] += dt * v[d];
     });
     return body.size();
   }
 }
 
-} // namespace mpm
+}  // namespace mpm

@@ -19,22 +19,17 @@ std::array<typename S::Scalar, S::dimension> grid_stiffness(Out stencil) {
   constexpr int dimension = S::dimension;
   Scalar G[dimension][dimension] = {};
   for (auto a = stencil.begin(); a != stencil.end(); ++a) {
-    if (a->node < 0)
-      continue;
+    if (a->node < 0) continue;
     for (auto b = a + 1; b != stencil.end(); ++b) {
-      if (b->node != a->node)
-        continue;
+      if (b->node != a->node) continue;
       a->weight += b->weight;
-      for (int d = 0; d < dimension; ++d)
-        a->gradient[d] += b->gradient[d];
+      for (int d = 0; d < dimension; ++d) a->gradient[d] += b->gradient[d];
       b->node = -1;
     }
-    if (a->weight < Scalar(1e-9))
-      continue;
+    if (a->weight < Scalar(1e-9)) continue;
     const Scalar inverse = 1 / a->weight;
     for (int i = 0; i < dimension; ++i)
-      for (int j = 0; j < dimension; ++j)
-        G[i][j] += a->gradient[i] * a->gradient[j] * inverse;
+      for (int j = 0; j < dimension; ++j) G[i][j] += a->gradient[i] * a->gradient[j] * inverse;
   }
   if constexpr (dimension == 1) {
     return {G[0][0]};
@@ -43,7 +38,7 @@ std::array<typename S::Scalar, S::dimension> grid_stiffness(Out stencil) {
     const Scalar radius = std::sqrt(half * half + G[0][1] * G[0][1]);
     return {mean + radius, mean - radius};
   } else {
-    return {G[0][0], G[1][1], G[2][2]}; // product bases: diagonal
+    return {G[0][0], G[1][1], G[2][2]};  // product bases: diagonal
   }
 }
 
@@ -51,20 +46,15 @@ std::array<typename S::Scalar, S::dimension> grid_stiffness(Out stencil) {
 /// / rho) with the law's tangent, a bound of the eigenvalues of its normal
 /// block by 2 G max b + lambda sum b (exact for equal b).
 template <class S, class Out>
-typename S::Scalar
-irons_step(const Out &stencil, const Moduli<typename S::Scalar> &C,
-           typename S::Scalar density, typename S::Scalar radius) {
+typename S::Scalar irons_step(const Out& stencil, const Moduli<typename S::Scalar>& C, typename S::Scalar density,
+                              typename S::Scalar radius) {
   using Scalar = typename S::Scalar;
   const auto b = grid_stiffness<S>(stencil);
   const Scalar lambda = std::max(Scalar(0), C.longitudinal - 2 * C.shear);
   Scalar sum = 0, largest = 0;
-  for (Scalar k : b)
-    sum += k, largest = std::max(largest, k);
-  if constexpr (S::hoop)
-    sum += 1 / (radius * radius),
-        largest = std::max(largest, 1 / (radius * radius));
-  const Scalar shear = S::dimension == 1 ? 2 * C.shear * largest
-                                         : C.shear * std::max(2 * largest, sum);
+  for (Scalar k : b) sum += k, largest = std::max(largest, k);
+  if constexpr (S::hoop) sum += 1 / (radius * radius), largest = std::max(largest, 1 / (radius * radius));
+  const Scalar shear = S::dimension == 1 ? 2 * C.shear * largest : C.shear * std::max(2 * largest, sum);
   return 2 / std::sqrt((shear + lambda * sum) / density);
 }
 
@@ -72,7 +62,7 @@ irons_step(const Out &stencil, const Moduli<typename S::Scalar> &C,
 /// tangent moduli, reduced for bulk viscosity, and abs(v) dt < h / 2, abs(grad
 /// v) dt < 0.1.
 template <class Body, class S>
-typename S::Scalar stable_step(const Body &body, const Grid<S> &grid) {
+typename S::Scalar stable_step(const Body& body, const Grid<S>& grid) {
   using Scalar = typename S::Scalar;
   Scalar limit = std::numeric_limits<Scalar>::max();
   const std::int64_t count = std::int64_t(body.size());
@@ -80,25 +70,19 @@ typename S::Scalar stable_step(const Body &body, const Grid<S> &grid) {
   for (std::int64_t q = 0; q < count; ++q) {
     const std::size_t p = std::size_t(q);
     const auto stencil = make_stencil(body, p, grid);
-    const auto moduli =
-        body.law.tangent(body.state(p), body.relative_volume(p));
+    const auto moduli = body.law.tangent(body.state(p), body.relative_volume(p));
     const Scalar density = body.mass()[p] / body.volume()[p];
     Scalar dt = irons_step<S>(stencil, moduli, density, body.x(0)[p]);
     const auto L = velocity_gradient<S>(stencil, grid.velocity, body.x(0)[p]);
     if constexpr (requires { body.law.viscosity; })
-      dt *= body.law.viscosity.step_factor(
-          trace(L), std::sqrt(moduli.longitudinal / density), grid.cell());
+      dt *= body.law.viscosity.step_factor(trace(L), std::sqrt(moduli.longitudinal / density), grid.cell());
     const Scalar gradient = std::sqrt(inner(symmetric(L), symmetric(L)));
-    dt = std::min(dt,
-                  Scalar(0.1) /
-                      std::max(gradient, std::numeric_limits<Scalar>::min()));
+    dt = std::min(dt, Scalar(0.1) / std::max(gradient, std::numeric_limits<Scalar>::min()));
     for (int d = 0; d < S::dimension; ++d)
-      dt = std::min(dt, grid.cell() / 2 /
-                            std::max(std::abs(body.v(d)[p]),
-                                     std::numeric_limits<Scalar>::min()));
+      dt = std::min(dt, grid.cell() / 2 / std::max(std::abs(body.v(d)[p]), std::numeric_limits<Scalar>::min()));
     limit = std::min(limit, std::isfinite(dt) ? dt : Scalar(0));
   }
   return limit;
 }
 
-} // namespace mpm
+}  // namespace mpm

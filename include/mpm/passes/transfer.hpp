@@ -10,19 +10,18 @@ namespace mpm {
 /// The passes between one body and the grid: straight, or by way of the body's
 /// own corners where its domains have them. `nodes(grid)` is what the particles
 /// talk to.
-template <class Body> class Transfer {
-public:
+template <class Body>
+class Transfer {
+ public:
   using S = typename Body::SpaceType;
   using Scalar = typename S::Scalar;
-  static constexpr bool by_corners =
-      Body::Shape::domain_motion == DomainMotion::corners;
+  static constexpr bool by_corners = Body::Shape::domain_motion == DomainMotion::corners;
 
-  void locate(Body &body, Grid<S> &grid) {
+  void locate(Body& body, Grid<S>& grid) {
     mpm::locate(body, grid, order_);
-    if constexpr (by_corners)
-      corners_.locate(body.shape.corner, grid);
+    if constexpr (by_corners) corners_.locate(body.shape.corner, grid);
   }
-  const auto &nodes(const Grid<S> &grid) const {
+  const auto& nodes(const Grid<S>& grid) const {
     if constexpr (by_corners) {
       return corners_;
     } else {
@@ -32,12 +31,9 @@ public:
 
   /// m_I += w m and momentum_I += w m v, into the field of the grid that is
   /// named.
-  void scatter_momentum(const Body &body, Grid<S> &grid,
-                        std::vector<Vector<S>> &momentum) {
+  void scatter_momentum(const Body& body, Grid<S>& grid, std::vector<Vector<S>>& momentum) {
     if constexpr (by_corners) {
-      corners_.for_each([&](std::size_t c) {
-        corners_.mass[c] = 0, corners_.velocity[c].setZero();
-      });
+      corners_.for_each([&](std::size_t c) { corners_.mass[c] = 0, corners_.velocity[c].setZero(); });
       mpm::scatter_momentum(body, order_, corners_, corners_.velocity);
       corners_.scatter([&](std::size_t c, int I, Scalar w) {
         grid.mass[I] += w * corners_.mass[c];
@@ -48,54 +44,44 @@ public:
     }
   }
   /// m_I += w m.
-  void scatter_mass(const Body &body, Grid<S> &grid) {
+  void scatter_mass(const Body& body, Grid<S>& grid) {
     if constexpr (by_corners) {
       mpm::scatter_mass(body, order_, corners_);
-      corners_.scatter([&](std::size_t c, int I, Scalar w) {
-        grid.mass[I] += w * corners_.mass[c];
-      });
+      corners_.scatter([&](std::size_t c, int I, Scalar w) { grid.mass[I] += w * corners_.mass[c]; });
     } else {
       mpm::scatter_mass(body, order_, grid);
     }
   }
   /// f_I += -V sigma grad w + w m b, and the pressure on the surface that
   /// corners may have.
-  void scatter_force(const Body &body, Grid<S> &grid,
-                     const Vector<S> &body_force) {
+  void scatter_force(const Body& body, Grid<S>& grid, const Vector<S>& body_force) {
     if constexpr (by_corners) {
       mpm::scatter_force(body, order_, corners_, body_force);
-      if (body.shape.pressure != 0)
-        body.shape.load_surface(corners_.increment);
-      corners_.scatter([&](std::size_t c, int I, Scalar w) {
-        grid.increment[I] += w * corners_.increment[c];
-      });
+      if (body.shape.pressure != 0) body.shape.load_surface(corners_.increment);
+      corners_.scatter([&](std::size_t c, int I, Scalar w) { grid.increment[I] += w * corners_.increment[c]; });
     } else {
       mpm::scatter_force(body, order_, grid, body_force);
     }
   }
   /// Sum of abs(V sigma grad w) a node.
-  void scatter_force_scale(const Body &body, const Grid<S> &grid,
-                           std::vector<Scalar> &scale) const {
+  void scatter_force_scale(const Body& body, const Grid<S>& grid, std::vector<Scalar>& scale) const {
     mpm::scatter_force_scale(body, order_, grid, scale);
   }
 
   /// Brings fields of the grid to what the particles talk to.
-  void fetch_velocity(const Grid<S> &grid) {
-    if constexpr (by_corners)
-      corners_.gather(grid.velocity, corners_.velocity);
+  void fetch_velocity(const Grid<S>& grid) {
+    if constexpr (by_corners) corners_.gather(grid.velocity, corners_.velocity);
   }
-  void fetch_increment(const Grid<S> &grid) {
-    if constexpr (by_corners)
-      corners_.gather(grid.increment, corners_.increment);
+  void fetch_increment(const Grid<S>& grid) {
+    if constexpr (by_corners) corners_.gather(grid.increment, corners_.increment);
   }
-  void fetch_strain_velocity(const Grid<S> &grid) {
-    if constexpr (by_corners)
-      corners_.gather(grid.strain_velocity, corners_.strain_velocity);
+  void fetch_strain_velocity(const Grid<S>& grid) {
+    if constexpr (by_corners) corners_.gather(grid.strain_velocity, corners_.strain_velocity);
   }
 
-private:
+ private:
   ParticleOrder order_;
   std::conditional_t<by_corners, CornerNodes<S>, NodalFields<S>> corners_;
 };
 
-} // namespace mpm
+}  // namespace mpm

@@ -12,32 +12,23 @@ namespace mpm {
 /// up in a fixed order. Returns the first particle whose volume or stress is no
 /// longer a finite positive number, or body.size().
 template <class Body, class Nodes, class S = typename Body::SpaceType>
-std::size_t update_stress(Body &body, const Nodes &nodes,
-                          const std::vector<Vector<S>> &velocity,
-                          typename S::Scalar cell, typename S::Scalar time,
-                          typename S::Scalar dt, std::vector<double> &partial) {
+std::size_t update_stress(Body& body, const Nodes& nodes, const std::vector<Vector<S>>& velocity,
+                          typename S::Scalar cell, typename S::Scalar time, typename S::Scalar dt,
+                          std::vector<double>& partial) {
   using Scalar = typename S::Scalar;
   constexpr std::int64_t chunk = 256;
-  const std::int64_t count = std::int64_t(body.size()),
-                     chunks = (count + chunk - 1) / chunk;
+  const std::int64_t count = std::int64_t(body.size()), chunks = (count + chunk - 1) / chunk;
   partial.resize(std::size_t(chunks));
   std::int64_t bad = count;
 #pragma omp parallel for schedule(static) reduction(min : bad)
   for (std::int64_t c = 0; c < chunks; ++c) {
     double work = 0;
-    for (std::int64_t q = c * chunk; q < std::min(count, (c + 1) * chunk);
-         ++q) {
+    for (std::int64_t q = c * chunk; q < std::min(count, (c + 1) * chunk); ++q) {
       const std::size_t p = std::size_t(q);
-      const auto L = velocity_gradient<S>(make_stencil(body, p, nodes),
-                                          velocity, body.x(0)[p]);
+      const auto L = velocity_gradient<S>(make_stencil(body, p, nodes), velocity, body.x(0)[p]);
       const auto step = Tensor<Scalar>::identity() + dt * L;
-      const Scalar old_volume = body.volume()[p],
-                   new_volume = old_volume * determinant(step);
-      Increment<Scalar> increment{.L = L,
-                                  .dt = dt,
-                                  .time = time + dt,
-                                  .size = body.particle_size(p),
-                                  .cell = cell};
+      const Scalar old_volume = body.volume()[p], new_volume = old_volume * determinant(step);
+      Increment<Scalar> increment{.L = L, .dt = dt, .time = time + dt, .size = body.particle_size(p), .cell = cell};
       increment.J_old = body.relative_volume(p);
       increment.J = increment.J_old * determinant(step);
       if constexpr (Body::stores_F) {
@@ -48,22 +39,18 @@ std::size_t update_stress(Body &body, const Nodes &nodes,
       const auto old_stress = body.stress(p);
       body.law.update(state, increment);
       body.store(p, state);
-      if constexpr (Body::Shape::domain_motion != DomainMotion::corners)
-        body.volume()[p] = new_volume;
+      if constexpr (Body::Shape::domain_motion != DomainMotion::corners) body.volume()[p] = new_volume;
       const auto mean = Scalar(0.5) * (old_stress + body.stress(p));
-      const Scalar w = Scalar(0.5) * (old_volume + new_volume) *
-                       inner(mean, symmetric(L)) * dt;
-      if (!(new_volume > 0) || !std::isfinite(w))
-        bad = std::min(bad, q);
+      const Scalar w = Scalar(0.5) * (old_volume + new_volume) * inner(mean, symmetric(L)) * dt;
+      if (!(new_volume > 0) || !std::isfinite(w)) bad = std::min(bad, q);
       work += double(w);
     }
     partial[std::size_t(c)] = work;
   }
   double work = 0;
-  for (double w : partial)
-    work += w;
+  for (double w : partial) work += w;
   body.stress_work += Scalar(work);
   return std::size_t(bad);
 }
 
-} // namespace mpm
+}  // namespace mpm

@@ -21,15 +21,15 @@ struct CpdiQuad {
   using Point = std::array<double, 2>;
   using Quad = std::array<std::uint32_t, 4>;
 
-  std::vector<Point> corner; ///< positions, m
-  std::vector<Quad>
-      quad; ///< the four corners of each particle, counter-clockwise
+  std::vector<Point> corner;  ///< positions, m
+  std::vector<Quad> quad;     ///< the four corners of each particle, counter-clockwise
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      surface;         ///< free edges under `pressure`, the body on their left
-  double pressure = 0; ///< on `surface`, following it, Pa
+      surface;          ///< free edges under `pressure`, the body on their left
+  double pressure = 0;  ///< on `surface`, following it, Pa
 
   static constexpr DomainMotion domain_motion = DomainMotion::corners;
-  template <class S> static constexpr int max_nodes = 16;
+  template <class S>
+  static constexpr int max_nodes = 16;
   template <class S>
   static constexpr std::size_t bytes = sizeof(Quad) + sizeof(Point);
 
@@ -41,17 +41,16 @@ struct CpdiQuad {
     std::array<Point, 4> gradient;
   };
   Weights weights(std::size_t p) const {
-    const auto &[x1, y1] = corner[quad[p][0]];
-    const auto &[x2, y2] = corner[quad[p][1]];
-    const auto &[x3, y3] = corner[quad[p][2]];
-    const auto &[x4, y4] = corner[quad[p][3]];
+    const auto& [x1, y1] = corner[quad[p][0]];
+    const auto& [x2, y2] = corner[quad[p][1]];
+    const auto& [x3, y3] = corner[quad[p][2]];
+    const auto& [x4, y4] = corner[quad[p][3]];
     const double V = 0.5 * ((x3 - x1) * (y4 - y2) - (x4 - x2) * (y3 - y1));
     const double a = (x4 - x1) * (y2 - y3) - (x2 - x3) * (y4 - y1);
     const double b = (x3 - x4) * (y1 - y2) - (x1 - x2) * (y3 - y4);
     const double s = 1 / (24 * V), g = 1 / (2 * V);
     return {V,
-            {(6 * V - a - b) * s, (6 * V - a + b) * s, (6 * V + a + b) * s,
-             (6 * V + a - b) * s},
+            {(6 * V - a - b) * s, (6 * V - a + b) * s, (6 * V + a + b) * s, (6 * V + a - b) * s},
             {{{(y2 - y4) * g, (x4 - x2) * g},
               {(y3 - y1) * g, (x1 - x3) * g},
               {(y4 - y2) * g, (x2 - x4) * g},
@@ -61,56 +60,50 @@ struct CpdiQuad {
     const auto k = weights(p);
     Point x{};
     for (int c = 0; c < 4; ++c)
-      for (int d = 0; d < 2; ++d)
-        x[d] += k.w[c] * corner[quad[p][c]][d];
+      for (int d = 0; d < 2; ++d) x[d] += k.w[c] * corner[quad[p][c]][d];
     return x;
   }
 
   template <class Body, class S, class Out>
-  void stencil(const Body &, std::size_t p, const Grid<S> &grid,
-               Out &out) const {
-    static_assert(S::dimension == 2 && !S::hoop,
-                  "mpm::CpdiQuad is for two plane dimensions");
+  void stencil(const Body&, std::size_t p, const Grid<S>& grid, Out& out) const {
+    static_assert(S::dimension == 2 && !S::hoop, "mpm::CpdiQuad is for two plane dimensions");
     using Scalar = typename S::Scalar;
     const auto k = weights(p);
     for (int c = 0; c < 4; ++c) {
-      const Point &x = corner[quad[p][c]];
+      const Point& x = corner[quad[p][c]];
       Cpdi::corner(grid, {Scalar(x[0]), Scalar(x[1])}, Scalar(k.w[c]),
                    {Scalar(k.gradient[c][0]), Scalar(k.gradient[c][1])}, out);
     }
   }
   /// The weights of particle p on its own corners.
-  template <class Out> void corner_stencil(std::size_t p, Out &out) const {
+  template <class Out>
+  void corner_stencil(std::size_t p, Out& out) const {
     using Scalar = std::remove_cvref_t<decltype(out.begin()->weight)>;
     const auto k = weights(p);
     for (int c = 0; c < 4; ++c)
-      out.add(int(quad[p][c]), Scalar(k.w[c]),
-              {Scalar(k.gradient[c][0]), Scalar(k.gradient[c][1])});
+      out.add(int(quad[p][c]), Scalar(k.w[c]), {Scalar(k.gradient[c][0]), Scalar(k.gradient[c][1])});
   }
-  template <class Body> auto reach(const Body &body, std::size_t p) const {
+  template <class Body>
+  auto reach(const Body& body, std::size_t p) const {
     using Scalar = typename Body::Scalar;
     std::array<Scalar, 2> r{};
     for (std::uint32_t c : quad[p])
-      for (int d = 0; d < 2; ++d)
-        r[d] = std::max(r[d], std::abs(Scalar(corner[c][d]) - body.x(d)[p]));
+      for (int d = 0; d < 2; ++d) r[d] = std::max(r[d], std::abs(Scalar(corner[c][d]) - body.x(d)[p]));
     return r;
   }
   template <class Body, class S>
-  void check(const Body &body, const Grid<S> &) const {
+  void check(const Body& body, const Grid<S>&) const {
     if (quad.size() != body.size())
-      throw Error("body " + body.name + ": " + std::to_string(body.size()) +
-                  " particles but " + std::to_string(quad.size()) +
-                  " quadrilaterals; add each particle with add_quad");
+      throw Error("body " + body.name + ": " + std::to_string(body.size()) + " particles but " +
+                  std::to_string(quad.size()) + " quadrilaterals; add each particle with add_quad");
     for (std::size_t p = 0; p < quad.size(); ++p)
       if (!(weights(p).area > 0))
-        throw Error("body " + body.name + ": quadrilateral " +
-                    std::to_string(p) +
+        throw Error("body " + body.name + ": quadrilateral " + std::to_string(p) +
                     " has no area; give its corners counter-clockwise");
   }
   void permute(std::span<const std::uint32_t> order) {
     scratch_.resize(quad.size());
-    for (std::size_t i = 0; i < quad.size(); ++i)
-      scratch_[i] = quad[order[i]];
+    for (std::size_t i = 0; i < quad.size(); ++i) scratch_[i] = quad[order[i]];
     quad.swap(scratch_);
   }
 
@@ -118,12 +111,11 @@ struct CpdiQuad {
   /// particles are those of their domains. Returns the first particle whose
   /// quadrilateral has lost its area, or body.size().
   template <class Body, class V, class Scalar>
-  std::size_t convect(Body &body, const std::vector<V> &velocity, Scalar dt) {
+  std::size_t convect(Body& body, const std::vector<V>& velocity, Scalar dt) {
     const std::int64_t corners = std::int64_t(corner.size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t c = 0; c < corners; ++c)
-      for (int d = 0; d < 2; ++d)
-        corner[std::size_t(c)][d] += double(dt * velocity[std::size_t(c)][d]);
+      for (int d = 0; d < 2; ++d) corner[std::size_t(c)][d] += double(dt * velocity[std::size_t(c)][d]);
     const std::int64_t count = std::int64_t(body.size());
     std::int64_t bad = count;
 #pragma omp parallel for schedule(static) reduction(min : bad)
@@ -134,8 +126,7 @@ struct CpdiQuad {
         continue;
       }
       const auto x = centroid(std::size_t(p));
-      for (int d = 0; d < 2; ++d)
-        body.x(d)[p] = Scalar(x[d]);
+      for (int d = 0; d < 2; ++d) body.x(d)[p] = Scalar(x[d]);
       body.volume()[p] = Scalar(area);
     }
     return std::size_t(bad);
@@ -143,9 +134,10 @@ struct CpdiQuad {
   /// Adds the pressure on the free edges to the forces on the corners, with the
   /// weights of the internal force, so that a constant stress balances it
   /// exactly.
-  template <class V> void load_surface(std::vector<V> &force) const {
+  template <class V>
+  void load_surface(std::vector<V>& force) const {
     using Scalar = typename V::Scalar;
-    for (const auto &[i, j] : surface) {
+    for (const auto& [i, j] : surface) {
       const V half(Scalar(-0.5 * pressure * (corner[j][1] - corner[i][1])),
                    Scalar(0.5 * pressure * (corner[j][0] - corner[i][0])));
       force[i] += half;
@@ -153,7 +145,7 @@ struct CpdiQuad {
     }
   }
 
-private:
+ private:
   std::vector<Quad> scratch_;
 };
 
@@ -162,14 +154,12 @@ static_assert(ShapeFunction<CpdiQuad>);
 /// Appends a quadrilateral with corners `q` of body.shape to the body, at
 /// relative volume J.
 template <class Body>
-void add_quad(Body &body, const CpdiQuad::Quad &q,
-              typename Body::Scalar J = 1) {
+void add_quad(Body& body, const CpdiQuad::Quad& q, typename Body::Scalar J = 1) {
   using Scalar = typename Body::Scalar;
   body.shape.quad.push_back(q);
   const std::size_t p = body.shape.quad.size() - 1;
   const auto x = body.shape.centroid(p);
-  body.add({Scalar(x[0]), Scalar(x[1])}, Scalar(body.shape.weights(p).area),
-           {0, 0}, J);
+  body.add({Scalar(x[0]), Scalar(x[1])}, Scalar(body.shape.weights(p).area), {0, 0}, J);
 }
 
-} // namespace mpm
+}  // namespace mpm

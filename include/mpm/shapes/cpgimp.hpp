@@ -10,14 +10,13 @@ namespace mpm {
 /// F_ii, since a rotation must not change the size of a domain (at 90 degrees
 /// F_ii vanishes).
 template <int Dimension, class Scalar>
-std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar> &F) {
+std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar>& F) {
   if constexpr (Dimension == 1) {
     return {F.xx};
   } else if constexpr (Dimension == 2) {
     // U = (C + J 1) / sqrt(tr C + 2 J), C = F^T F of the plane.
     const Scalar J = F.xx * F.yy - F.xy * F.yx;
-    const Scalar Cxx = F.xx * F.xx + F.yx * F.yx,
-                 Cyy = F.xy * F.xy + F.yy * F.yy;
+    const Scalar Cxx = F.xx * F.xx + F.yx * F.yx, Cyy = F.xy * F.xy + F.yy * F.yy;
     const Scalar scale = 1 / std::sqrt(Cxx + Cyy + 2 * J);
     return {(Cxx + J) * scale, (Cyy + J) * scale};
   } else {
@@ -25,12 +24,9 @@ std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar> &F) {
     // R^-T) / 2.
     Tensor<Scalar> R = F;
     for (int k = 0; k < 8; ++k) {
-      const Tensor<Scalar> cofactor{
-          R.yy * R.zz - R.yz * R.zy, R.yz * R.zx - R.yx * R.zz,
-          R.yx * R.zy - R.yy * R.zx, R.xz * R.zy - R.xy * R.zz,
-          R.xx * R.zz - R.xz * R.zx, R.xy * R.zx - R.xx * R.zy,
-          R.xy * R.yz - R.xz * R.yy, R.xz * R.yx - R.xx * R.yz,
-          R.xx * R.yy - R.xy * R.yx};
+      const Tensor<Scalar> cofactor{R.yy * R.zz - R.yz * R.zy, R.yz * R.zx - R.yx * R.zz, R.yx * R.zy - R.yy * R.zx,
+                                    R.xz * R.zy - R.xy * R.zz, R.xx * R.zz - R.xz * R.zx, R.xy * R.zx - R.xx * R.zy,
+                                    R.xy * R.yz - R.xz * R.yy, R.xz * R.yx - R.xx * R.yz, R.xx * R.yy - R.xy * R.yx};
       R = Scalar(0.5) * (R + (1 / determinant(R)) * cofactor);
     }
     const Tensor<Scalar> U = transpose(R) * F;
@@ -42,18 +38,16 @@ std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar> &F) {
 /// Guilkey 2008). Half sizes beyond one and a half cells are held there; such a
 /// particle spans four cells.
 struct Cpgimp {
-  std::array<double, 3>
-      half_size{}; ///< initial half edges of every particle's box, m
+  std::array<double, 3> half_size{};  ///< initial half edges of every particle's box, m
 
-  static constexpr DomainMotion domain_motion =
-      DomainMotion::deformation_gradient;
+  static constexpr DomainMotion domain_motion = DomainMotion::deformation_gradient;
   template <class S>
   static constexpr int max_nodes = shapes::power(5, S::dimension);
-  template <class S> static constexpr std::size_t bytes = 0;
+  template <class S>
+  static constexpr std::size_t bytes = 0;
 
   template <class Body, class S, class Out>
-  void stencil(const Body &body, std::size_t p, const Grid<S> &grid,
-               Out &out) const {
+  void stencil(const Body& body, std::size_t p, const Grid<S>& grid, Out& out) const {
     using Scalar = typename S::Scalar;
     const auto r = reach(body, p);
     std::array<AxisStencil<Scalar, 5>, S::dimension> axis;
@@ -63,20 +57,19 @@ struct Cpgimp {
     }
     shapes::tensor_product(axis, grid, out);
   }
-  template <class Body> auto reach(const Body &body, std::size_t p) const {
+  template <class Body>
+  auto reach(const Body& body, std::size_t p) const {
     auto r = axis_stretch<Body::dimension>(body.F(p));
-    for (int d = 0; d < Body::dimension; ++d)
-      r[d] *= typename Body::Scalar(half_size[d]);
+    for (int d = 0; d < Body::dimension; ++d) r[d] *= typename Body::Scalar(half_size[d]);
     return r;
   }
   template <class Body, class S>
-  void check(const Body &body, const Grid<S> &) const {
-    shapes::require_half_size(body, half_size,
-                              std::numeric_limits<double>::infinity());
+  void check(const Body& body, const Grid<S>&) const {
+    shapes::require_half_size(body, half_size, std::numeric_limits<double>::infinity());
   }
   void permute(std::span<const std::uint32_t>) {}
 };
 
 static_assert(ShapeFunction<Cpgimp>);
 
-} // namespace mpm
+}  // namespace mpm

@@ -12,18 +12,17 @@ struct Linear {
   static constexpr DomainMotion domain_motion = DomainMotion::rigid;
   template <class S>
   static constexpr int max_nodes = shapes::power(2, S::dimension);
-  template <class S> static constexpr std::size_t bytes = 0;
+  template <class S>
+  static constexpr std::size_t bytes = 0;
 
   template <class Body, class S, class Out>
-  void stencil(const Body &body, std::size_t p, const Grid<S> &grid,
-               Out &out) const {
+  void stencil(const Body& body, std::size_t p, const Grid<S>& grid, Out& out) const {
     std::array<AxisStencil<typename S::Scalar, 2>, S::dimension> axis;
-    for (int d = 0; d < S::dimension; ++d)
-      axis[d] =
-          shapes::hat_axis(grid.coordinate(body.x(d)[p], d), grid.cells(d));
+    for (int d = 0; d < S::dimension; ++d) axis[d] = shapes::hat_axis(grid.coordinate(body.x(d)[p], d), grid.cells(d));
     shapes::tensor_product(axis, grid, out);
   }
-  template <class Body> auto reach(const Body &, std::size_t) const {
+  template <class Body>
+  auto reach(const Body&, std::size_t) const {
     return std::array<typename Body::Scalar, Body::dimension>{};
   }
   void permute(std::span<const std::uint32_t>) {}
@@ -31,4 +30,4 @@ struct Linear {
 
 static_assert(ShapeFunction<Linear>);
 
-} // namespace mpm
+}  // namespace mpm

@@ -11,7 +11,8 @@
 namespace mpm::shapes {
 
 /// Linear hat at `xi` cells from the origin: two nodes.
-template <class Scalar> AxisStencil<Scalar, 2> hat_axis(Scalar xi, int cells) {
+template <class Scalar>
+AxisStencil<Scalar, 2> hat_axis(Scalar xi, int cells) {
   AxisStencil<Scalar, 2> a;
   a.first = std::min(int(xi), cells - 1);
   a.size = 2;
@@ -22,10 +23,10 @@ template <class Scalar> AxisStencil<Scalar, 2> hat_axis(Scalar xi, int cells) {
 }
 
 /// Integral of the hat from -1 to u.
-template <class Scalar> Scalar hat_integral(Scalar u) {
+template <class Scalar>
+Scalar hat_integral(Scalar u) {
   u = std::clamp(u, Scalar(-1), Scalar(1));
-  return u < 0 ? Scalar(0.5) * (1 + u) * (1 + u)
-               : 1 - Scalar(0.5) * (1 - u) * (1 - u);
+  return u < 0 ? Scalar(0.5) * (1 + u) * (1 + u) : 1 - Scalar(0.5) * (1 - u) * (1 - u);
 }
 
 /// Hat averaged over a box of half size `l` about `xi`, both in cells
@@ -41,23 +42,18 @@ AxisStencil<Scalar, MaxNodes> gimp_axis(Scalar xi, Scalar l) {
     const Scalar node = Scalar(a.first + k);
     const Scalar u = low - node, v = high - node;
     a.w[k] = (hat_integral(v) - hat_integral(u)) * scale;
-    a.dw[k] = (std::max(Scalar(0), 1 - std::abs(v)) -
-               std::max(Scalar(0), 1 - std::abs(u))) *
-              scale;
+    a.dw[k] = (std::max(Scalar(0), 1 - std::abs(v)) - std::max(Scalar(0), 1 - std::abs(u))) * scale;
   }
   return a;
 }
 
 /// Product of axis stencils; nodes beyond a face are folded onto it.
 template <class S, class Axis, class Out>
-void tensor_product(const std::array<Axis, S::dimension> &axis,
-                    const Grid<S> &grid, Out &out) {
+void tensor_product(const std::array<Axis, S::dimension>& axis, const Grid<S>& grid, Out& out) {
   using Scalar = typename S::Scalar;
   constexpr int dimension = S::dimension;
   const Scalar inverse = grid.inverse_cell();
-  const auto index = [&](int d, int k) {
-    return std::clamp(axis[d].first + k, 0, grid.cells(d)) * grid.stride(d);
-  };
+  const auto index = [&](int d, int k) { return std::clamp(axis[d].first + k, 0, grid.cells(d)) * grid.stride(d); };
   for (int k = 0; k < (dimension > 2 ? axis[dimension - 1].size : 1); ++k) {
     for (int j = 0; j < (dimension > 1 ? axis[dimension > 1].size : 1); ++j) {
       for (int i = 0; i < axis[0].size; ++i) {
@@ -65,13 +61,11 @@ void tensor_product(const std::array<Axis, S::dimension> &axis,
           out.add(index(0, i), axis[0].w[i], {axis[0].dw[i] * inverse});
         } else if constexpr (dimension == 2) {
           const Scalar wx = axis[0].w[i], wy = axis[1].w[j];
-          out.add(index(0, i) + index(1, j), wx * wy,
-                  {axis[0].dw[i] * wy * inverse, wx * axis[1].dw[j] * inverse});
+          out.add(index(0, i) + index(1, j), wx * wy, {axis[0].dw[i] * wy * inverse, wx * axis[1].dw[j] * inverse});
         } else {
           const Scalar wx = axis[0].w[i], wy = axis[1].w[j], wz = axis[2].w[k];
           out.add(index(0, i) + index(1, j) + index(2, k), wx * wy * wz,
-                  {axis[0].dw[i] * wy * wz * inverse,
-                   wx * axis[1].dw[j] * wz * inverse,
+                  {axis[0].dw[i] * wy * wz * inverse, wx * axis[1].dw[j] * wz * inverse,
                    wx * wy * axis[2].dw[k] * inverse});
         }
       }
@@ -81,14 +75,11 @@ void tensor_product(const std::array<Axis, S::dimension> &axis,
 
 /// Throws Error unless the half edges are positive and at most `largest`, in m.
 template <class Body>
-void require_half_size(const Body &body, const std::array<double, 3> &half_size,
-                       double largest) {
+void require_half_size(const Body& body, const std::array<double, 3>& half_size, double largest) {
   for (int d = 0; d < Body::dimension; ++d) {
-    if (half_size[d] > 0 && half_size[d] <= largest)
-      continue;
+    if (half_size[d] > 0 && half_size[d] <= largest) continue;
     std::ostringstream text;
-    text << "body " << body.name << ": shape.half_size[" << d << "] is "
-         << half_size[d] << " m and must be positive"
+    text << "body " << body.name << ": shape.half_size[" << d << "] is " << half_size[d] << " m and must be positive"
          << (std::isfinite(largest) ? " and at most half a cell" : "")
          << "; set it to half the spacing of the particles";
     throw Error(text.str());
@@ -99,4 +90,4 @@ constexpr int power(int base, int exponent) {
   return exponent == 0 ? 1 : base * power(base, exponent - 1);
 }
 
-} // namespace mpm::shapes
+}  // namespace mpm::shapes

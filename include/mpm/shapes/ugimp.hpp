@@ -9,39 +9,36 @@ namespace mpm {
 /// Kober 2004). Robust under any distortion, hence the choice for gases; gaps
 /// open when a solid is stretched.
 struct Ugimp {
-  std::array<double, 3> half_size{}; ///< half edges of every particle's box, m;
-                                     ///< positive and at most half a cell
+  std::array<double, 3> half_size{};  ///< half edges of every particle's box, m;
+                                      ///< positive and at most half a cell
 
   static constexpr DomainMotion domain_motion = DomainMotion::rigid;
   template <class S>
   static constexpr int max_nodes = shapes::power(3, S::dimension);
-  template <class S> static constexpr std::size_t bytes = 0;
+  template <class S>
+  static constexpr std::size_t bytes = 0;
 
   template <class Body, class S, class Out>
-  void stencil(const Body &body, std::size_t p, const Grid<S> &grid,
-               Out &out) const {
+  void stencil(const Body& body, std::size_t p, const Grid<S>& grid, Out& out) const {
     using Scalar = typename S::Scalar;
     std::array<AxisStencil<Scalar, 3>, S::dimension> axis;
     for (int d = 0; d < S::dimension; ++d)
-      axis[d] =
-          shapes::gimp_axis<3>(grid.coordinate(body.x(d)[p], d),
-                               Scalar(half_size[d]) * grid.inverse_cell());
+      axis[d] = shapes::gimp_axis<3>(grid.coordinate(body.x(d)[p], d), Scalar(half_size[d]) * grid.inverse_cell());
     shapes::tensor_product(axis, grid, out);
   }
-  template <class Body> auto reach(const Body &, std::size_t) const {
+  template <class Body>
+  auto reach(const Body&, std::size_t) const {
     std::array<typename Body::Scalar, Body::dimension> r;
-    for (int d = 0; d < Body::dimension; ++d)
-      r[d] = typename Body::Scalar(half_size[d]);
+    for (int d = 0; d < Body::dimension; ++d) r[d] = typename Body::Scalar(half_size[d]);
     return r;
   }
   template <class Body, class S>
-  void check(const Body &body, const Grid<S> &grid) const {
-    shapes::require_half_size(body, half_size,
-                              0.5 * (1 + 1e-6) * double(grid.cell()));
+  void check(const Body& body, const Grid<S>& grid) const {
+    shapes::require_half_size(body, half_size, 0.5 * (1 + 1e-6) * double(grid.cell()));
   }
   void permute(std::span<const std::uint32_t>) {}
 };
 
 static_assert(ShapeFunction<Ugimp>);
 
-} // namespace mpm
+}  // namespace mpm
