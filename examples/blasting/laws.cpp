@@ -73,16 +73,19 @@ mpm::PolynomialEos air_law(const Scene& scene) {
 
 double largest_tensile_strength(const Scene& scene) {
   const auto law = rock_law<CrackingRock>(scene);
-  const double young = law.young_in_tension(), size = scene.rock.particle;
-  const double largest = law.tension.largest_strength(young, size);
-  if (law.tension.strength > largest)
-    throw mpm::io::InputError(
-        "rock.tensile.fracture_energy = " + mpm::io::format_quantity(law.tension.fracture_energy, "J/m^2") +
-        ": a particle of rock.particle = " + mpm::io::format_quantity(size, "mm") +
-        " would snap back as it cracks; keep particles below " +
-        mpm::io::format_quantity(law.tension.largest_size(young, law.tension.strength), "mm") +
-        ", or raise the fracture energy");
-  return largest;
+  return law.tension.largest_strength(law.young_in_tension(), scene.rock.particle);
+}
+
+void check_softening(const Scene& scene) {
+  const auto law = rock_law<CrackingRock>(scene);
+  if (scene.rock.law != RockLaw::jh2 || scene.rock.tensile.law != TensileLaw::rankine) return;
+  if (law.tension.strength <= largest_tensile_strength(scene)) return;
+  const double size = law.tension.largest_size(law.young_in_tension(), law.tension.strength);
+  throw mpm::io::InputError(
+      "rock.tensile.fracture_energy = " + mpm::io::format_quantity(law.tension.fracture_energy, "J/m^2") +
+      ": rock of rock.particle = " + mpm::io::format_quantity(scene.rock.particle, "mm") +
+      " would snap back as it cracks; keep particles below " +
+      mpm::io::format_quantity(std::floor(size * 1e4) * 1e-4, "mm") + ", or raise the fracture energy");
 }
 
 }  // namespace blasting

@@ -23,8 +23,10 @@ mpm::JonesWilkinsLee charge_law(const Scene& scene);
 mpm::PolynomialEos air_law(const Scene& scene);
 
 /// Largest tensile strength, Pa, at which a particle of the scene softens without snap-back (see RankineSoftening).
-/// Throws mpm::io::InputError if the scene's mean strength is above it.
 double largest_tensile_strength(const Scene& scene);
+
+/// Throws mpm::io::InputError if the scene's mean tensile strength is above `largest_tensile_strength`.
+void check_softening(const Scene& scene);
 
 /// Relative volume of rock at rest under the mean pressure p, Pa: the inverse of its equation of state.
 inline double relative_volume(const mpm::JohnsonHolmquist2& rock, double p) {
@@ -57,14 +59,15 @@ Damage damage_of(const State& state) {
   return d;
 }
 
-/// Gives every particle its tensile strength, Weibull about the scene's mean by its seed, capped at `largest`. Returns
-/// how many were capped. A rock without a tensile law is left alone.
+/// Gives every particle its tensile strength, Weibull about the scene's mean by its seed, capped at the largest that
+/// does not snap back. Returns how many were capped. A rock without a tensile law is left alone.
 template <class Body>
-std::size_t scatter_strength(Body& body, const Scene& scene, double largest) {
+std::size_t scatter_strength(Body& body, const Scene& scene) {
   std::size_t capped = 0;
   if constexpr (requires { body.state(0).strength; }) {
     const double modulus = scene.rock.tensile.weibull_modulus;
     if (modulus == 0) return 0;
+    const double largest = largest_tensile_strength(scene);
     const double scale = scene.rock.tensile.strength / std::tgamma(1 + 1 / modulus);
     std::mt19937_64 random(static_cast<std::uint64_t>(scene.seed));
     for (std::size_t p = 0; p < body.size(); ++p) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.hpp"
+#include "laws.hpp"
 #include "run.hpp"
 #include "scene.hpp"
 #include <mpm/error.hpp>
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
     if (options.help) return blasting::print_help(std::cout), 0;
     const auto scene = blasting::read_scene(options);
     blasting::validate(scene);
+    blasting::check_softening(scene);
     if (options.threads > 0) omp_set_num_threads(options.threads);
     if (!options.dry_run) {
       blasting::prepare_output(options.output, options.force);

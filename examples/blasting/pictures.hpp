@@ -40,10 +40,10 @@ inline const Field damage_field{"damage", "1", 1, ColourMap::damage};
 inline const Field hoop_stress_field{"hoop stress, tension positive", "MPa", 1e-6, ColourMap::diverging};
 inline const Field pressure_field{"pressure", "MPa", 1e-6, ColourMap::sequential};
 
-/// The larger of two damages of one particle, with a sign that says which: crushed (shear under pressure) in [-1, 0],
-/// cracked (tension) in [0, 1].
+/// One of two damages of one particle, with a sign that says which: crushed (shear under pressure) in [-1, 0] where it
+/// is more than half crushed or less cracked, else cracked (tension) in [0, 1]. Crushed rock is cracked as well.
 inline double signed_damage(double crushed, double cracked) {
-  return crushed > cracked ? -crushed : cracked;
+  return crushed > 0.5 || crushed > cracked ? -crushed : cracked;
 }
 
 /// A square window on the particles around the hole.

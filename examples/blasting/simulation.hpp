@@ -138,13 +138,12 @@ void run_with(const Scene& scene, const Options& options) {
   const auto& folder = options.output;
   Summary summary;
   summary.threads = omp_get_max_threads();
-  const double largest_strength = std::is_same_v<Rock, CrackingRock> ? largest_tensile_strength(scene) : 0;
   auto rock = detail::relax_rock<Rock>(scene, summary);
-  if (const auto capped = scatter_strength(rock, scene, largest_strength); capped > 0)
+  if (const auto capped = scatter_strength(rock, scene); capped > 0)
     std::fprintf(stderr,
                  "warning: the tensile strength of %zu of %zu rock particles is capped at %.1f MPa, where they "
                  "would snap back; refine rock.particle or raise rock.tensile.fracture_energy\n",
-                 capped, rock.size(), largest_strength * 1e-6);
+                 capped, rock.size(), largest_tensile_strength(scene) * 1e-6);
   summary.particles = {static_cast<std::int64_t>(rock.size()), static_cast<std::int64_t>(make_charge(scene).size()),
                        static_cast<std::int64_t>(make_air(scene).size())};
   try {

@@ -30,10 +30,18 @@ class Stencil {
   std::array<Entry, MaxNodes> entries_;
 };
 
-/// One axis of a tensor-product stencil: consecutive nodes from `first`, values
-/// and derivatives.
-template <class Scalar, int MaxNodes>
+/// One axis of a tensor-product stencil: `size` consecutive nodes from `first`, values and derivatives.
+template <class Scalar, int Size>
 struct AxisStencil {
+  int first = 0;
+  std::array<Scalar, Size> w;
+  std::array<Scalar, Size> dw;
+  static constexpr int size = Size;
+};
+
+/// The same where the number of nodes depends on the particle.
+template <class Scalar, int MaxNodes>
+struct WideAxisStencil {
   int first = 0;
   int size = 0;
   std::array<Scalar, MaxNodes> w;

@@ -75,6 +75,10 @@ TEST_P(BadInput, IsRefusedBeforeAnyWork) {
 
 std::vector<Case> cases() {
   return {
+      {"SnapBack",
+       "rock { tensile { fracture_energy 100 J/m^2 } }\n",
+       {},
+       {"rock.tensile.fracture_energy", "snap back"}},
       {"MissingFile", "", {"--scene", "/nowhere/scene.info"}, {"/nowhere/scene.info", "cannot read"}},
       {"FolderAsFile", "", {"--scene", "/"}, {"cannot read"}},
       {"SyntaxError", "hole {\n  radius 21 mm\n", {}, {"scene.info:", "unmatched {"}},

@@ -33,8 +33,8 @@ struct QuadMesh {
 
 /// A square block, centred at the origin, with a round hole.
 ///
-/// Around the hole lies an O-grid: straight rays from equal arcs of the circle to a square of half side 2 radii or a
-/// little more, so that the wall is made of particle edges and not of steps. Outside it are squares of `particle_size`,
+/// Around the hole lies an O-grid: straight rays from equal arcs of the circle to a square of half side 2 radii,
+/// nearly, so that the wall is made of particle edges and not of steps. Outside it are squares of `particle_size`,
 /// changed as little as fills the block exactly; beside a hole off the centre they are rectangles, each side of the
 /// square having its own spacing. No edge is longer than one of those, and those on the wall are about .4 of it.
 struct HoledBlock {
@@ -62,7 +62,7 @@ class HoledBlockMesher {
     check(full_ || block.centre == Point{}, "the hole of a quarter model must be at the origin; take the full model");
     const double intervals = std::max(1.0, std::round(block.half_side / block.particle_size));
     edge_ = block.half_side / intervals;
-    core_ = int(std::ceil(2 * block.radius / edge_ - 1e-9));
+    core_ = std::max(1, int(std::lround(2 * block.radius / edge_)));
     rings_ = int(std::ceil((std::numbers::sqrt2 * core_ * edge_ - block.radius) / edge_ - 1e-9));
     rays_ = full_ ? 8 * core_ : 2 * core_ + 1;
     for (int d = 0; d < 2; ++d) line_[d] = lines(block.centre[d], first_[d]);

@@ -50,10 +50,10 @@ struct Cpgimp {
   void stencil(const Body& body, std::size_t p, const Grid<S>& grid, Out& out) const {
     using Scalar = typename S::Scalar;
     const auto r = reach(body, p);
-    std::array<AxisStencil<Scalar, 5>, S::dimension> axis;
+    std::array<WideAxisStencil<Scalar, 5>, S::dimension> axis;
     for (int d = 0; d < S::dimension; ++d) {
       const Scalar l = std::min(r[d] * grid.inverse_cell(), Scalar(1.5));
-      axis[d] = shapes::gimp_axis<5>(grid.coordinate(body.x(d)[p], d), l);
+      axis[d] = shapes::wide_gimp_axis<5>(grid.coordinate(body.x(d)[p], d), l);
     }
     shapes::tensor_product(axis, grid, out);
   }

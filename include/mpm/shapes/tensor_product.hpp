@@ -13,13 +13,20 @@ namespace mpm::shapes {
 /// Linear hat at `xi` cells from the origin: two nodes.
 template <class Scalar>
 AxisStencil<Scalar, 2> hat_axis(Scalar xi, int cells) {
-  AxisStencil<Scalar, 2> a;
-  a.first = std::min(int(xi), cells - 1);
-  a.size = 2;
-  const Scalar f = xi - Scalar(a.first);
-  a.w = {1 - f, f};
-  a.dw = {-1, 1};
-  return a;
+  const int first = std::min(int(xi), cells - 1);
+  const Scalar f = xi - Scalar(first);
+  return {first, {1 - f, f}, {-1, 1}};
+}
+
+/// Hat averaged over a box of half size `l` <= 1/2 about `xi`, both in cells (Bardenhagen & Kober 2004): the nearest
+/// node and its two neighbours. With r the distance from the nearest node and w the weight of the lower neighbour,
+/// unity and linear reproduction give the other two: 1 - r - 2 w and r + w.
+template <class Scalar>
+AxisStencil<Scalar, 3> gimp_axis(Scalar xi, Scalar l) {
+  const Scalar nearest = std::floor(xi + Scalar(0.5)), r = xi - nearest;
+  const Scalar t = l - std::clamp(r, -l, l), quarter = Scalar(0.25) / l;
+  const Scalar w = t * (t + 2 * std::max(Scalar(0), -l - r)) * quarter, d = -2 * t * quarter;
+  return {int(nearest) - 1, {w, 1 - r - 2 * w, r + w}, {d, -1 - 2 * d, 1 + d}};
 }
 
 /// Integral of the hat from -1 to u.
@@ -29,12 +36,10 @@ Scalar hat_integral(Scalar u) {
   return u < 0 ? Scalar(0.5) * (1 + u) * (1 + u) : 1 - Scalar(0.5) * (1 - u) * (1 - u);
 }
 
-/// Hat averaged over a box of half size `l` about `xi`, both in cells
-/// (Bardenhagen & Kober 2004): the piecewise form follows from the difference
-/// of the hat's integrals at the two ends.
+/// The same for a box of any size: the difference of the hat's integrals at its two ends.
 template <int MaxNodes, class Scalar>
-AxisStencil<Scalar, MaxNodes> gimp_axis(Scalar xi, Scalar l) {
-  AxisStencil<Scalar, MaxNodes> a;
+WideAxisStencil<Scalar, MaxNodes> wide_gimp_axis(Scalar xi, Scalar l) {
+  WideAxisStencil<Scalar, MaxNodes> a;
   const Scalar low = xi - l, high = xi + l, scale = 1 / (2 * l);
   a.first = int(std::floor(low));
   a.size = std::min(int(std::floor(high)) - a.first + 2, MaxNodes);

@@ -23,7 +23,7 @@ struct Ugimp {
     using Scalar = typename S::Scalar;
     std::array<AxisStencil<Scalar, 3>, S::dimension> axis;
     for (int d = 0; d < S::dimension; ++d)
-      axis[d] = shapes::gimp_axis<3>(grid.coordinate(body.x(d)[p], d), Scalar(half_size[d]) * grid.inverse_cell());
+      axis[d] = shapes::gimp_axis(grid.coordinate(body.x(d)[p], d), Scalar(half_size[d]) * grid.inverse_cell());
     shapes::tensor_product(axis, grid, out);
   }
   template <class Body>

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <boost/property_tree/json_parser.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+// The real program on small scenes: what it writes, what it conserves, and that threads do not change a bit.
+namespace {
+
+namespace fs = std::filesystem;
+using Summary = boost::property_tree::ptree;
+
+fs::path folder(const std::string& name) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  return fs::path(::testing::TempDir()) / ("blast_" + std::string(test->name()) + "_" + name);
+}
+
+/// Runs the program into a fresh folder and reads its summary.
+Summary run(const std::string& name, const std::vector<std::string>& args) {
+  const auto out = folder(name);
+  fs::remove_all(out);
+  std::string command = "'" MPM_BLASTING_PROGRAM "' --output '" + out.string() + "'";
+  for (const auto& arg : args) command += " '" + arg + "'";
+  command += " >'" + out.string() + ".txt' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  Summary summary;
+  read_json((out / "summary.json").string(), summary);
+  return summary;
+}
+
+std::vector<std::string> set(std::initializer_list<const char*> keys) {
+  std::vector<std::string> args;
+  for (const char* key : keys) args.insert(args.end(), {"--set", key});
+  return args;
+}
+
+const auto small = {"block.side=0.6 m", "end_time=20 us", "output.snapshots=2", "output.probes=0.1 m"};
+
+TEST(Blast, HasTheSameBitsAtAnyThreadCount) {
+  const auto hash = [](const char* threads) {
+    auto args = set(small);
+    args.insert(args.end(), {"--threads", threads});
+    const auto summary = run(threads, args);
+    EXPECT_EQ(summary.get<std::string>("threads"), threads);
+    return summary.get<std::string>("state_hash");
+  };
+  const auto one = hash("1");
+  EXPECT_EQ(one.size(), 16u);
+  EXPECT_EQ(hash("2"), one);
+  EXPECT_EQ(hash("3"), one);
+  EXPECT_EQ(hash("8"), one);
+}
+
+TEST(Blast, WritesEverythingItPromises) {
+  const auto summary = run("out", set(small));
+  EXPECT_TRUE(summary.get<bool>("completed"));
+  EXPECT_DOUBLE_EQ(summary.get<double>("simulated_seconds"), 20e-6);
+  EXPECT_GT(summary.get<int>("steps.relaxation"), 0);
+  EXPECT_GT(summary.get<int>("steps.blast"), 0);
+  EXPECT_LE(summary.get<double>("relaxation.unbalanced_force"), 1e-6);
+  for (const char* file :
+       {"scene.info", "summary.json", "energies.csv", "probes.csv", "blast.hdf.series", "blast_000000.hdf",
+        "blast_000002.hdf", "damage.png", "hoop_stress.png", "pressure.png", "energies.png", "probes.png"})
+    EXPECT_TRUE(fs::exists(folder("out") / file)) << file;
+  EXPECT_FALSE(fs::exists(folder("out") / "blast_000003.hdf"));
+}
+
+TEST(Blast, RepeatsFromTheSceneItWrote) {
+  const auto first = run("first", set(small));
+  const auto again = run("again", {"--scene", (folder("first") / "scene.info").string()});
+  EXPECT_EQ(first.get<std::string>("state_hash"), again.get<std::string>("state_hash"));
+}
+
+// The charge fills 256/441 of the hole; at 60 us the wall has passed its peak and the crushed zone stands.
+TEST(Blast, KeepsItsEnergyAndCrushesTheWall) {
+  const auto summary = run("out", set({"block.side=1 m", "end_time=60 us", "output.snapshots=0"}));
+  const double charge = summary.get<double>("energy.charge");
+  EXPECT_NEAR(charge, M_PI * 0.016 * 0.016 * 7.190001e9, 1e-6 * charge);
+  EXPECT_LE(std::abs(summary.get<double>("energy.balance")), 0.01 * charge);
+  // Work of the gas: between a quarter of its energy and the energy itself.
+  EXPECT_LT(summary.get<double>("energy.work_charge"), -0.25 * charge);
+  EXPECT_GT(summary.get<double>("energy.work_charge"), -charge);
+  const double wall = summary.get<double>("wall_radial_stress");
+  EXPECT_LT(wall, -4e9);
+  EXPECT_GT(wall, -9e9);
+  EXPECT_GT(summary.get<double>("crack.crushed_radius"), 0.03);
+  EXPECT_LT(summary.get<double>("crack.crushed_radius"), 0.1);
+  // Cracks run behind the P wave, slower than it.
+  EXPECT_LT(summary.get<double>("crack.longest"), 0.021 + 60e-6 * 4600);
+  EXPECT_GT(summary.get<double>("crack.reach"), 0.15);
+}
+
+TEST(Blast, ProgrammedBurnAndFullPlaneAgreeWithTheDefault) {
+  const auto args = {"block.side=0.6 m", "end_time=30 us", "output.snapshots=0", "rock.tensile.weibull_modulus=0"};
+  const auto quarter = run("quarter", set(args));
+  auto full_args = set(args);
+  full_args.insert(full_args.end(), {"--set", "model=full"});
+  const auto full = run("full", full_args);
+  EXPECT_EQ(full.get<int>("particles.rock"), 4 * quarter.get<int>("particles.rock"));
+  for (const char* figure : {"energy.charge", "energy.work_charge", "energy.kinetic_rock", "crack.reach"})
+    EXPECT_NEAR(full.get<double>(figure), quarter.get<double>(figure), 0.01 * std::abs(quarter.get<double>(figure)))
+        << figure;
+  auto burn_args = set(args);
+  burn_args.insert(burn_args.end(), {"--set", "charge.burn=programmed"});
+  const auto burn = run("burn", burn_args);
+  EXPECT_NEAR(burn.get<double>("energy.work_charge"), quarter.get<double>("energy.work_charge"),
+              0.1 * std::abs(quarter.get<double>("energy.work_charge")));
+}
+
+}  // namespace
