@@ -36,7 +36,8 @@ struct QuadMesh {
 /// Around the hole lies an O-grid: straight rays from equal arcs of the circle to a square of half side 2 radii,
 /// nearly, so that the wall is made of particle edges and not of steps. Outside it are squares of `particle_size`,
 /// changed as little as fills the block exactly; beside a hole off the centre they are rectangles, each side of the
-/// square having its own spacing. No edge is longer than one of those, and those on the wall are about .4 of it.
+/// square having its own spacing. No edge is longer than one of those, and those on the wall are about .4 of it;
+/// angles lie between 45 and 135 degrees, the smallest area is about .2 of a square's.
 struct HoledBlock {
   double radius = 0.021;        ///< of the hole, m
   Point centre{};               ///< of the hole, m; anywhere in a full model, the origin in a quarter

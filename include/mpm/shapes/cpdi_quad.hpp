@@ -109,7 +109,8 @@ struct CpdiQuad {
 
   /// The corners move with their velocities; positions and volumes of the
   /// particles are those of their domains. Returns the first particle whose
-  /// quadrilateral has lost its area, or body.size().
+  /// quadrilateral has lost its area, or crosses itself so far that its centroid
+  /// is no longer between its corners, or body.size().
   template <class Body, class V, class Scalar>
   std::size_t convect(Body& body, const std::vector<V>& velocity, Scalar dt) {
     const std::int64_t corners = std::int64_t(corner.size());
@@ -121,11 +122,11 @@ struct CpdiQuad {
 #pragma omp parallel for schedule(static) reduction(min : bad)
     for (std::int64_t p = 0; p < count; ++p) {
       const double area = weights(std::size_t(p)).area;
-      if (!(area > 0)) {
+      const auto x = centroid(std::size_t(p));
+      if (!(area > 0) || !between_corners(std::size_t(p), x)) {
         bad = std::min(bad, p);
         continue;
       }
-      const auto x = centroid(std::size_t(p));
       for (int d = 0; d < 2; ++d) body.x(d)[p] = Scalar(x[d]);
       body.volume()[p] = Scalar(area);
     }
@@ -146,6 +147,16 @@ struct CpdiQuad {
   }
 
  private:
+  bool between_corners(std::size_t p, const Point& x) const {
+    bool between = true;
+    for (int d = 0; d < 2; ++d) {
+      const auto [low, high] =
+          std::minmax({corner[quad[p][0]][d], corner[quad[p][1]][d], corner[quad[p][2]][d], corner[quad[p][3]][d]});
+      between = between && low <= x[d] && x[d] <= high;
+    }
+    return between;
+  }
+
   std::vector<Quad> scratch_;
 };
 
