@@ -6,6 +6,7 @@
 #include "stages.hpp"
 #include "summary.hpp"
 #include <mpm/analysis/crack_measures.hpp>
+#include <mpm/analysis/energy.hpp>
 #include <mpm/analysis/polar.hpp>
 #include <mpm/io/csv.hpp>
 #include <mpm/io/snapshot.hpp>
@@ -79,13 +80,6 @@ mpm::io::UnstructuredGrid snapshot_of(Solver& solver, const Scene& scene) {
   return grid;
 }
 
-template <class Body>
-double kinetic_energy(const Body& body) {
-  double sum = 0;
-  for (std::size_t p = 0; p < body.size(); ++p) sum += 0.5 * body.mass()[p] * body.velocity(p).squaredNorm();
-  return sum;
-}
-
 /// Energies of the blast, J per metre of the full plane. What the gas gives, the rock and the faces take: `balance` is
 /// what the scheme has gained or lost.
 template <class Solver>
@@ -94,9 +88,9 @@ std::map<std::string, double> energies(Solver& solver, const Scene& scene, doubl
   std::map<std::string, double> e;
   double kinetic = 0, work = 0;
   solver.for_bodies([&](const auto& body) {
-    e["kinetic_" + body.name] = m * kinetic_energy(body);
+    e["kinetic_" + body.name] = m * mpm::kinetic_energy(body);
     e["work_" + body.name] = m * body.stress_work;
-    kinetic += m * kinetic_energy(body), work += m * body.stress_work;
+    kinetic += m * mpm::kinetic_energy(body), work += m * body.stress_work;
   });
   e["charge"] = charge_energy;
   e["boundary"] = m * solver.boundary.work();

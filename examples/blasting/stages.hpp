@@ -4,6 +4,7 @@
 #include "scene.hpp"
 #include <mpm/analysis/kirsch.hpp>
 #include <mpm/geometry/holed_block.hpp>
+#include <mpm/geometry/lattice.hpp>
 #include <mpm/mpm.hpp>
 #include <algorithm>
 #include <cmath>
@@ -100,19 +101,16 @@ RelaxationSolver<Rock> relaxation_stage(const Scene& scene) {
   return solver;
 }
 
-/// Fills the hole's cross-section, or the quadrant of it, with gas particles on a lattice wherever `inside(x, y)`,
-/// offsets from the hole's centre.
+/// Fills the hole's cross-section, or the quadrant of it, with gas particles wherever `inside(x, y)`, offsets from the
+/// hole's centre.
 template <class Law, class Inside>
 mpm::Body<Ugimp, Law, Space> fill_gas(const Scene& scene, const char* name, const Law& law, const Inside& inside) {
   const double spacing = scene.grid.cell / scene.gas.particles_per_edge;
-  mpm::Body<Ugimp, Law, Space> gas(name, {.half_size = {spacing / 2, spacing / 2}}, law);
-  const int n = static_cast<int>(std::ceil(scene.hole.radius / spacing));
-  const int first = scene.model == Model::quarter ? 0 : -n;
-  for (int j = first; j < n; ++j)
-    for (int i = first; i < n; ++i) {
-      const double x = (i + 0.5) * spacing, y = (j + 0.5) * spacing;
-      if (inside(x, y)) gas.add({scene.hole.x + x, scene.hole.y + y}, spacing * spacing, {0, 0});
-    }
+  const double extent = std::ceil(scene.hole.radius / spacing) * spacing;
+  const mpm::Vector<Space> centre(scene.hole.x, scene.hole.y), half(extent, extent);
+  mpm::Body<Ugimp, Law, Space> gas(name, {}, law);
+  mpm::fill(gas, scene.model == Model::quarter ? centre : mpm::Vector<Space>(centre - half), centre + half, spacing,
+            [&](const mpm::Vector<Space>& x) { return inside(x[0] - centre[0], x[1] - centre[1]); });
   return gas;
 }
 

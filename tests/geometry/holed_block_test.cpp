@@ -135,30 +135,4 @@ TEST(MakeBody, TakesDensityFromTheRelativeVolume) {
   }
 }
 
-TEST(FillRing, HasTheExactAreaInBothModels) {
-  for (const double inner : {0.0, .016}) {
-    const double outer = inner + .005 + (inner == 0 ? .011 : 0),
-                 area = std::numbers::pi * (outer * outer - inner * inner);
-    const Point centre{.3, -.2};
-    const Lattice full = fill_ring(inner, outer, .5e-3, Model::full, centre);
-    const Lattice quarter = fill_ring(inner, outer, .5e-3, Model::quarter);
-    ASSERT_EQ(full.centre.size(), 4 * quarter.centre.size());
-    EXPECT_NEAR(full.area * double(full.centre.size()), area, 1e-15);
-    EXPECT_NEAR(quarter.area * double(quarter.centre.size()), area / 4, 1e-15);
-    EXPECT_NEAR(full.area, .25e-6, .01 * .25e-6);
-    Point sum{};
-    for (const Point& x : full.centre) {
-      const double r = std::hypot(x[0] - centre[0], x[1] - centre[1]);
-      EXPECT_GE(r, inner);
-      EXPECT_LT(r, outer);
-      for (int d = 0; d < 2; ++d) sum[d] += (x[d] - centre[d]) / double(full.centre.size());
-    }
-    EXPECT_NEAR(std::hypot(sum[0], sum[1]), 0, 1e-15);
-    for (const Point& x : quarter.centre)
-      for (int d = 0; d < 2; ++d) EXPECT_NEAR(std::remainder(x[d] - .25e-3, .5e-3), 0, 1e-15);
-  }
-  EXPECT_THROW(fill_ring(.02, .021, .1, Model::full), mpm::Error);
-  EXPECT_THROW(fill_ring(.02, .01, .001, Model::full), mpm::Error);
-}
-
 }  // namespace

@@ -199,30 +199,4 @@ Body<CpdiQuad, Law, Space> make_body(const std::string& name, const QuadMesh& me
   return make_body<Space>(name, mesh, law, [](const Point&) { return 1.0; });
 }
 
-/// Square lattice in a disc or ring: a cell belongs where its centre does.
-struct Lattice {
-  std::vector<Point> centre;  ///< m
-  double area = 0;            ///< of each particle, m2: their sum is exact, hence near but not at the spacing squared
-};
-
-/// Fills inner <= r < outer about `centre` (m) with cells of edge `spacing` (m), mirror-symmetric about both axes: the
-/// quarter's cells tile [0, ..]. Throws Error if the region is empty or holds no cell.
-inline Lattice fill_ring(double inner, double outer, double spacing, Model model, const Point& centre = {}) {
-  if (!(inner >= 0 && outer > inner && spacing > 0))
-    throw Error("fill_ring: need 0 <= inner < outer and a positive spacing");
-  const int cells = int(std::ceil(outer / spacing)), first = model == Model::full ? -cells : 0;
-  Lattice lattice;
-  for (int j = first; j < cells; ++j)
-    for (int i = first; i < cells; ++i) {
-      const double x = (i + 0.5) * spacing, y = (j + 0.5) * spacing, r = std::hypot(x, y);
-      if (r >= inner && r < outer) lattice.centre.push_back({centre[0] + x, centre[1] + y});
-    }
-  if (lattice.centre.empty())
-    throw Error("fill_ring: no cell's centre lies between " + std::to_string(inner) + " and " + std::to_string(outer) +
-                " m; choose a spacing below " + std::to_string(outer - inner) + " m");
-  const double whole = std::numbers::pi * (outer * outer - inner * inner);
-  lattice.area = (model == Model::full ? whole : whole / 4) / double(lattice.centre.size());
-  return lattice;
-}
-
 }  // namespace mpm::geometry
