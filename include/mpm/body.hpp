@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
-#include <array>
-#include <bit>
-#include <cmath>
 #include <mpm/columns.hpp>
 #include <mpm/concepts/material.hpp>
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/concepts/space.hpp>
 #include <mpm/error.hpp>
 #include <mpm/spaces/plane_strain.hpp>
+#include <Eigen/Core>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -18,12 +18,11 @@ namespace mpm {
 template <class S>
 using Vector = Eigen::Matrix<typename S::Scalar, S::dimension, 1>;
 
-/// A set of particles of one shape and one law. It names neither integrator nor
-/// neighbours, so a change of stage moves it from one solver to the next.
+/// A set of particles of one shape and one law. It names neither integrator nor neighbours, so a change of stage moves
+/// it from one solver to the next.
 ///
-/// Fields, one column each (SI; per metre of depth in plane strain): x
-/// position, v velocity, m mass, V volume, sigma (or the pressure of a fluid),
-/// the law's history, and F where shape or law ask for it.
+/// Fields, one column each (SI; per metre of depth in plane strain): x position, v velocity, m mass, V volume, sigma
+/// (or the pressure of a fluid), the law's history, and F where shape or law ask for it.
 template <ShapeFunction ShapeT, Material MaterialT, Space SpaceT = PlaneStrain<>>
 class Body {
  public:
@@ -40,13 +39,11 @@ class Body {
   static constexpr int history_count = int(Law::history.size());
   static constexpr int F_count = stores_F ? int(SpaceT::gradient_components.size()) : 0;
   static constexpr int column_count = 2 * dimension + 2 + stress_count + history_count + F_count;
-  /// What one particle costs in memory, its share of the shape's own mesh
-  /// included.
+  /// What one particle costs in memory, its share of the shape's own mesh included.
   static constexpr std::size_t bytes_per_particle = column_count * sizeof(Scalar) + Shape::template bytes<SpaceT>;
 
   static_assert(sizeof(State) == sizeof(Scalar) * ((fluid ? 1 : 6) + history_count),
-                "Material::history must name every member of State<V> behind "
-                "the stress or pressure, in order");
+                "Material::history must name every member of State<V> behind the stress or pressure, in order");
 
   std::string name = "body";
   Shape shape;
@@ -59,9 +56,8 @@ class Body {
 
   std::size_t size() const { return columns_.size(); }
 
-  /// Appends a particle at rest or moving, in the law's initial state at
-  /// relative volume J (mass = rho0 V / J). Throws Error on a volume, J or
-  /// density that is not positive.
+  /// Appends a particle at rest or moving, in the law's initial state at relative volume J (mass = rho0 V / J). Throws
+  /// Error on a volume, J or density that is not positive.
   void add(const Vector<SpaceT>& position, Scalar particle_volume, const Vector<SpaceT>& velocity, Scalar J = 1) {
     const std::size_t p = size();
     require_positive("volume", double(particle_volume));

@@ -8,8 +8,7 @@
 
 namespace mpm {
 
-/// Structure of arrays: `Count` columns of equal length, each contiguous, one
-/// scalar a particle.
+/// Structure of arrays: `Count` columns of equal length, each contiguous, one scalar a particle.
 template <class T, int Count>
 class Columns {
  public:
@@ -27,8 +26,7 @@ class Columns {
   const T* operator[](int column) const { return data_[column].data(); }
   std::span<const T> span(int column) const { return {data_[column].data(), size_}; }
 
-  /// Reorders every column: entry i becomes the old entry order[i]. `scratch`
-  /// keeps its memory between calls.
+  /// Reorders every column: entry i becomes the old entry order[i]. `scratch` keeps its memory between calls.
   void permute(std::span<const std::uint32_t> order, std::vector<T>& scratch) {
     scratch.resize(size_);
     for (auto& column : data_) {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
-#include <cstdint>
 #include <mpm/grid.hpp>
 #include <mpm/shapes/tensor_product.hpp>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace mpm {
 
-/// The corners of a body's domains as nodes between its particles and the grid:
-/// a particle talks to its own corners, and each corner, shared by neighbours,
-/// talks once to the grid as a point with hat functions. The sums are those of
+/// The corners of a body's domains as nodes between its particles and the grid: a particle talks to its own corners,
+/// and each corner, shared by neighbours, talks once to the grid as a point with hat functions. The sums are those of
 /// the particle's direct stencil, in less than half the work.
 template <Space S>
 class CornerNodes : public NodalFields<S> {
@@ -37,9 +36,8 @@ class CornerNodes : public NodalFields<S> {
     order_by_strip(std::size_t(grid.strip_count()));
   }
 
-  /// Calls f(corner, node, weight) for the four nodes around every corner, so
-  /// that no two threads touch one node and in a fixed order at each: strips of
-  /// one colour at once.
+  /// Calls f(corner, node, weight) for the four nodes around every corner, so that no two threads touch one node and in
+  /// a fixed order at each: strips of one colour at once.
   template <class F>
   void scatter(const F& f) const {
     const int strips = int(strip_begin_.size()) - 1;
@@ -60,8 +58,7 @@ class CornerNodes : public NodalFields<S> {
       own[c] = value;
     });
   }
-  /// Calls f(corner) for every corner, in parallel; f may write to its own
-  /// corner only.
+  /// Calls f(corner) for every corner, in parallel; f may write to its own corner only.
   template <class F>
   void for_each(const F& f) const {
     const std::int64_t count = std::int64_t(anchor_.size());
@@ -70,8 +67,7 @@ class CornerNodes : public NodalFields<S> {
   }
 
  private:
-  /// The cell of a corner: its first node, and the corner's place between the
-  /// nodes, 0 to 1.
+  /// The cell of a corner: its first node, and the corner's place between the nodes, 0 to 1.
   struct Anchor {
     int node;
     std::uint32_t strip;

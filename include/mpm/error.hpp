@@ -5,8 +5,7 @@
 
 namespace mpm {
 
-/// A run that cannot go on: the message names body, particle, position, time
-/// and step, and what a user can do.
+/// A run that cannot go on: the message names body, particle, position, time and step, and what a user can do.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/body.hpp>
+#include <mpm/concepts/space.hpp>
+#include <mpm/error.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mpm/body.hpp>
-#include <mpm/concepts/space.hpp>
-#include <mpm/error.hpp>
 #include <vector>
 
 namespace mpm {
 
-/// What lives on nodes, of the grid or on the corners between particles and
-/// grid.
+/// What lives on nodes, of the grid or on the corners between particles and grid.
 template <Space S>
 struct NodalFields {
   std::vector<typename S::Scalar> mass;    ///< m_I, kg
   std::vector<Vector<S>> velocity;         ///< v_I, and v_I+ once the nodes are advanced, m/s
   std::vector<Vector<S>> increment;        ///< f_I, and v_I+ - v_I once the nodes are advanced
-  std::vector<Vector<S>> strain_velocity;  ///< MUSL: the remapped velocity that
-                                           ///< strains the particles
+  std::vector<Vector<S>> strain_velocity;  ///< MUSL: the remapped velocity that strains the particles
 };
 
-/// The background grid: a box of cubic cells whose faces carry the boundary
-/// conditions.
+/// The background grid: a box of cubic cells whose faces carry the boundary conditions.
 ///
-/// Nodes are numbered x fastest. A stencil that would pass a face is folded
-/// onto it, so no node lies outside. Nodes are worked on in blocks of 4 a side,
-/// and only blocks near particles are: an empty domain costs nothing.
+/// Nodes are numbered x fastest. A stencil that would pass a face is folded onto it, so no node lies outside. Nodes are
+/// worked on in blocks of 4 a side, and only blocks near particles are: an empty domain costs nothing.
 template <Space S>
 class Grid : public NodalFields<S> {
  public:
@@ -40,8 +36,8 @@ class Grid : public NodalFields<S> {
   using NodalFields<S>::increment;
 
   Grid() = default;
-  /// A box from `origin` with `cells` cells of edge `cell` along each axis.
-  /// Throws Error on a cell that is not positive or an empty box.
+  /// A box from `origin` with `cells` cells of edge `cell` along each axis. Throws Error on a cell that is not positive
+  /// or an empty box.
   Grid(const Vector<S>& box_origin, Scalar cell_edge, const std::array<int, dimension>& cell_counts)
       : origin_(box_origin), cell_(cell_edge), inverse_(1 / cell_edge), cells_(cell_counts) {
     if (!(cell_ > 0) || !std::isfinite(cell_))
@@ -127,8 +123,7 @@ class Grid : public NodalFields<S> {
 #pragma omp parallel for schedule(static)
     for (int a = 0; a < count; ++a) for_each_node(active_[a], f);
   }
-  /// Sum over active nodes of f(node), added in a fixed order: the same bits at
-  /// any thread count.
+  /// Sum over active nodes of f(node), added in a fixed order: the same bits at any thread count.
   template <class F>
   double sum_active(const F& f) const {
     partial_.resize(active_.size());
@@ -143,8 +138,7 @@ class Grid : public NodalFields<S> {
     for (double p : partial_) total += p;
     return total;
   }
-  /// Calls f(node) for every node of the face `side` (0 lower, 1 upper) of axis
-  /// d, in a fixed order.
+  /// Calls f(node) for every node of the face `side` (0 lower, 1 upper) of axis d, in a fixed order.
   template <class F>
   void for_each_on_face(int d, int side, const F& f) const {
     std::array<int, dimension> low{}, high = cells_;

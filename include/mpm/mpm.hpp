@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Everything of the framework's core; the only include a first program needs.
-// Drivers that read scene files or write snapshots include <mpm/io/...> beside
-// it, and <mpm/analysis/...> holds exact solutions to compare with.
+// Everything of the framework's core; the only include a first program needs. Drivers that read scene files or write
+// snapshots include <mpm/io/...> beside it, and <mpm/analysis/...> holds exact solutions to compare with.
 #include <mpm/solver.hpp>
 
 #include <mpm/integrators/dynamic_relaxation.hpp>

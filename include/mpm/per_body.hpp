@@ -5,9 +5,8 @@
 
 namespace mpm {
 
-/// A column of policies, one a body: `PerBody<CpdiQuad, Ugimp>` is a Shape,
-/// `PerBody<JohnsonHolmquist2, PolynomialEos>` a Material. A single policy
-/// beside a column serves every body.
+/// A column of policies, one a body: `PerBody<CpdiQuad, Ugimp>` is a Shape, `PerBody<JohnsonHolmquist2, PolynomialEos>`
+/// a Material. A single policy beside a column serves every body.
 template <class... Policies>
 struct PerBody {};
 
@@ -30,9 +29,8 @@ template <class Shape, class Material, class Space>
 struct BodiesOf {
   static constexpr int shapes = Column<Shape>::size, laws = Column<Material>::size;
   static_assert(shapes == laws || shapes == 1 || laws == 1,
-                "mpm::PerBody: the columns of Shape and Material differ in "
-                "length; give one entry a body in each, or one "
-                "policy for all");
+                "mpm::PerBody: the columns of Shape and Material differ in length; give one entry a body in each, or "
+                "one policy for all");
   static constexpr int count = shapes > laws ? shapes : laws;
 
   template <int I>

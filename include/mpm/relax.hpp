@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/solver.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <mpm/solver.hpp>
 #include <sstream>
 
 namespace mpm {
@@ -18,16 +18,13 @@ struct RelaxationOptions {
 /// How a relaxation ended.
 struct RelaxationReport {
   std::int64_t steps = 0;       ///< taken
-  double unbalanced_force = 0;  ///< norm of the forces on the free nodes over
-                                ///< that of sum abs(V sigma grad w)
-  double kinetic_ratio = 0;     ///< kinetic energy of the nodes over the elastic
-                                ///< energy, sum V sigma:sigma/(2 M)
+  double unbalanced_force = 0;  ///< norm of the forces on the free nodes over that of sum abs(V sigma grad w)
+  double kinetic_ratio = 0;     ///< kinetic energy of the nodes over the elastic energy, sum V sigma:sigma/(2 M)
 };
 
 namespace detail {
 
-/// Sum V sigma:sigma/(2 M) over all bodies, M the longitudinal tangent modulus,
-/// J.
+/// Sum V sigma:sigma/(2 M) over all bodies, M the longitudinal tangent modulus, J.
 template <class SolverT>
 double elastic_energy_scale(SolverT& solver) {
   double sum = 0;
@@ -43,20 +40,15 @@ double elastic_energy_scale(SolverT& solver) {
 
 }  // namespace detail
 
-/// Steps a solver of DynamicRelaxation until it is at rest; calls
-/// `after(solver)` after each step.
+/// Steps a solver of DynamicRelaxation until it is at rest; calls `after(solver)` after each step.
 ///
-/// The test is Eq 31 of Xiao et al. 2024, Processes 12, 1048, with norms over
-/// the free nodes and against the forces that balance there. Force and motion
-/// must both be small *in the same step*:
-///   unbalanced_force <= tolerance   and   kinetic_ratio <= (tolerance n)^2, n
-///   the cells along the longest axis.
-/// A mode that swings with the relative amplitude e hides its force as it
-/// passes through equilibrium and its motion as it turns, but never both: its
-/// energy e^2 is their sum, and modes add up. The least force for an e is that
-/// of the longest wave, about e/n, which is why the two tests together bound e
-/// at any phase, and under any damping, by about n times the tolerance. Throws
-/// Error if `max_steps` pass first.
+/// The test is Eq 31 of Xiao et al. 2024, Processes 12, 1048, with norms over the free nodes and against the forces
+/// that balance there. Force and motion must both be small *in the same step*:
+///   unbalanced_force <= tolerance   and   kinetic_ratio <= (tolerance n)^2, n the cells along the longest axis.
+/// A mode that swings with the relative amplitude e hides its force as it passes through equilibrium and its motion as
+/// it turns, but never both: its energy e^2 is their sum, and modes add up. The least force for an e is that of the
+/// longest wave, about e/n, which is why the two tests together bound e at any phase, and under any damping, by about n
+/// times the tolerance. Throws Error if `max_steps` pass first.
 template <class SolverT, class After>
 RelaxationReport relax(SolverT& solver, const RelaxationOptions& options, const After& after) {
   int cells = 0;
@@ -75,9 +67,7 @@ RelaxationReport relax(SolverT& solver, const RelaxationOptions& options, const 
   std::ostringstream text;
   text << "relax: not at rest after " << report.steps << " steps: unbalanced force " << report.unbalanced_force
        << " (tolerance " << options.tolerance << "), kinetic ratio " << report.kinetic_ratio << " (tolerance "
-       << kinetic_tolerance
-       << "); raise max_steps or the tolerance, or look for a body that "
-          "nothing holds";
+       << kinetic_tolerance << "); raise max_steps or the tolerance, or look for a body that nothing holds";
   throw Error(text.str());
 }
 template <class SolverT>

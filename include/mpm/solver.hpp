@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <limits>
 #include <mpm/boundaries/box.hpp>
 #include <mpm/concepts/integrator.hpp>
 #include <mpm/passes/stable_step.hpp>
 #include <mpm/passes/transfer.hpp>
 #include <mpm/passes/update_stress.hpp>
 #include <mpm/per_body.hpp>
+#include <limits>
 #include <sstream>
 
 namespace mpm {
@@ -20,9 +20,8 @@ struct TransfersOf<std::tuple<B...>> {
 };
 }  // namespace detail
 
-/// The material point method: one background grid, any number of bodies, one
-/// shape function and one law a body, one time integrator. `step()` is its
-/// table of contents.
+/// The material point method: one background grid, any number of bodies, one shape function and one law a body, one
+/// time integrator. `step()` is its table of contents.
 template <class Shape, class Material, Integrator IntegratorT, Space S = PlaneStrain<>>
 class Solver {
  public:
@@ -33,8 +32,7 @@ class Solver {
   static constexpr StressUpdate stress_update = IntegratorT::stress_update;
   static_assert(
       requires(IntegratorT i, Grid<S> g, Scalar dt) { i.advance(g, dt); },
-      "mpm::Integrator: `advance(grid, dt)` is missing, which Solver::step "
-      "calls to move the nodes");
+      "mpm::Integrator: `advance(grid, dt)` is missing, which Solver::step calls to move the nodes");
 
   Grid<S> grid;
   BodyList bodies;
@@ -56,9 +54,8 @@ class Solver {
     return std::get<I>(bodies);
   }
 
-  /// One step, as long as is stable but no longer than `longest`; returns its
-  /// length, s. Throws Error when a particle leaves the grid, a volume or a
-  /// stress is no longer finite, or no stable step exists.
+  /// One step, as long as is stable but no longer than `longest`; returns its length, s. Throws Error when a particle
+  /// leaves the grid, a volume or a stress is no longer finite, or no stable step exists.
   Scalar step(Scalar longest = std::numeric_limits<Scalar>::max()) {
     locate_particles();
     gather_nodes();
@@ -78,8 +75,7 @@ class Solver {
     return dt;
   }
 
-  /// Steps until `end`, which is met exactly; calls `after(solver)` after each
-  /// step.
+  /// Steps until `end`, which is met exactly; calls `after(solver)` after each step.
   template <class F>
   void run(Scalar end, const F& after) {
     while (time < end) {
@@ -91,22 +87,19 @@ class Solver {
     run(end, [](const Solver&) {});
   }
 
-  /// Nodal forces -V sigma grad w + w m b of the present state in
-  /// grid.increment, boundaries not included.
+  /// Nodal forces -V sigma grad w + w m b of the present state in grid.increment, boundaries not included.
   void internal_forces() {
     locate_particles();
     gather_nodes();
     assemble_forces();
   }
-  /// Makes every quiet face carry the load that keeps the present state at
-  /// rest.
+  /// Makes every quiet face carry the load that keeps the present state at rest.
   void hold_quiet_faces() {
     internal_forces();
     boundary.constrain(grid.increment, grid);
     boundary.hold(grid);
   }
-  /// Norm over the nodes of sum abs(V sigma grad w), the scale of the nodal
-  /// forces, N.
+  /// Norm over the nodes of sum abs(V sigma grad w), the scale of the nodal forces, N.
   double force_scale() {
     std::vector<Scalar> scale(grid.size(), 0);
     for_each_body([&](auto& b, auto& transfer) { transfer.scatter_force_scale(b, grid, scale); });
@@ -139,8 +132,7 @@ class Solver {
     });
     grid.sort_active();
   }
-  /// m_I and v_I (kept from the last step by an integrator that keeps node
-  /// velocities).
+  /// m_I and v_I (kept from the last step by an integrator that keeps node velocities).
   void gather_nodes() {
     grid.for_each_active([&](int n) {
       grid.mass[n] = 0;
@@ -178,8 +170,7 @@ class Solver {
     for_each_body([&](auto& b, auto& transfer) { transfer.scatter_momentum(b, grid, grid.strain_velocity); });
     divide_by_mass(grid.strain_velocity);
   }
-  /// The field that strains particles and moves corners: v_I (USF), v_I+ (USL),
-  /// or the remapped one (MUSL).
+  /// The field that strains particles and moves corners: v_I (USF), v_I+ (USL), or the remapped one (MUSL).
   template <class Nodes>
   static const auto& strain_velocity(const Nodes& nodes) {
     if constexpr (stress_update == StressUpdate::modified_last) {
@@ -188,9 +179,8 @@ class Solver {
       return nodes.velocity;
     }
   }
-  /// Strains with the velocities before the forces act. Domains that follow F
-  /// have then changed: the nodes are gathered anew, since mass and force must
-  /// see one set of weights, or momentum is lost.
+  /// Strains with the velocities before the forces act. Domains that follow F have then changed: the nodes are gathered
+  /// anew, since mass and force must see one set of weights, or momentum is lost.
   void strain_first(Scalar dt) {
     strain(dt);
     bool domains_changed = false;
@@ -219,8 +209,7 @@ class Solver {
       const auto& nodes = transfer.nodes(grid);
       if (const std::size_t p = convect(b, nodes, strain_velocity(nodes), dt); p < b.size())
         fail(b, p, "has a domain turned inside out",
-             "refine the grid there, lower `safety`, or take a shape that "
-             "cannot invert, such as mpm::Cpdi");
+             "refine the grid there, lower `safety`, or take a shape that cannot invert, such as mpm::Cpdi");
     });
   }
   Scalar stable_step() {
@@ -242,12 +231,9 @@ class Solver {
     const auto moduli = b.law.tangent(b.law.template initial<Scalar>(), Scalar(1));
     if (std::isfinite(moduli.longitudinal) && moduli.longitudinal >= 0 && moduli.shear >= 0) return;
     std::ostringstream text;
-    text << "body " << b.name
-         << ": the law's stiffness at rest is no finite positive number "
-            "(longitudinal "
+    text << "body " << b.name << ": the law's stiffness at rest is no finite positive number (longitudinal "
          << moduli.longitudinal << " Pa, shear " << moduli.shear
-         << " Pa); look at its moduli, and keep Poisson's ratio between -1 and "
-            "0.5";
+         << " Pa); look at its moduli, and keep Poisson's ratio between -1 and 0.5";
     throw Error(text.str());
   }
 
@@ -287,9 +273,7 @@ class Solver {
       if (!std::isfinite(trace(b.stress(p)) + equivalent_stress(b.stress(p))))
         fail(b, p, "has a stress that is no finite number", "lower `safety`, or look at the parameters of its law");
       if (!std::isfinite(moduli.longitudinal + moduli.shear) || !(moduli.longitudinal >= 0))
-        fail(b, p,
-             "allows no stable step, since its stiffness is no finite positive "
-             "number",
+        fail(b, p, "allows no stable step, since its stiffness is no finite positive number",
              "look at its stress in the last snapshot, and lower `safety`");
     }
   }

@@ -4,9 +4,8 @@
 
 namespace mpm {
 
-/// The nodes one particle talks to: `for (const auto& [I, w, grad] : stencil)`
-/// gives node I, w_Ip and grad w_Ip. A node may stand twice (corners of one
-/// domain in one cell); sums over the stencil are what counts.
+/// The nodes one particle talks to: `for (const auto& [I, w, grad] : stencil)` gives node I, w_Ip and grad w_Ip. A node
+/// may stand twice (corners of one domain in one cell); sums over the stencil are what counts.
 template <class Scalar, int Dimension, int MaxNodes>
 class Stencil {
  public:

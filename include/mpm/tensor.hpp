@@ -2,20 +2,17 @@
 #pragma once
 #include <cmath>
 
-// The tensors a constitutive law sees: always three-dimensional, plain
-// aggregates of a lane type V. V = double (or float) is one particle; a SIMD
-// vector is several at once. Laws are written branch-free with `select`, so
-// that one source serves both.
+// The tensors a constitutive law sees: always three-dimensional, plain aggregates of a lane type V. V = double (or
+// float) is one particle; a SIMD vector is several at once. Laws are written branch-free with `select`, so that one
+// source serves both.
 namespace mpm {
 
-/// Branch-free choice: `yes` where `condition` holds, else `no`. Overloaded for
-/// SIMD lanes.
+/// Branch-free choice: `yes` where `condition` holds, else `no`. Overloaded for SIMD lanes.
 template <class V>
 constexpr V select(bool condition, const V& yes, const V& no) {
   return condition ? yes : no;
 }
-/// Whether a condition holds anywhere: lets a law skip work that no lane needs.
-/// Overloaded for SIMD lanes.
+/// Whether a condition holds anywhere: lets a law skip work that no lane needs. Overloaded for SIMD lanes.
 constexpr bool any(bool condition) {
   return condition;
 }
@@ -37,8 +34,7 @@ using std::log;
 using std::pow;
 using std::sqrt;
 
-/// Symmetric 3x3 tensor (stress, strain rate); components in the order xx yy zz
-/// xy yz zx.
+/// Symmetric 3x3 tensor (stress, strain rate); components in the order xx yy zz xy yz zx.
 template <class V>
 struct SymmetricTensor {
   V xx{}, yy{}, zz{}, xy{}, yz{}, zx{};
@@ -58,8 +54,7 @@ struct SymmetricTensor {
   }
 };
 
-/// General 3x3 tensor (velocity gradient, deformation gradient, rotation),
-/// row-major.
+/// General 3x3 tensor (velocity gradient, deformation gradient, rotation), row-major.
 template <class V>
 struct Tensor {
   V xx{}, xy{}, xz{}, yx{}, yy{}, yz{}, zx{}, zy{}, zz{};
@@ -119,8 +114,8 @@ constexpr SymmetricTensor<V> rotated(const SymmetricTensor<V>& a, const Tensor<V
   const Tensor<V> full{a.xx, a.xy, a.zx, a.xy, a.yy, a.yz, a.zx, a.yz, a.zz};
   return symmetric(q * full * transpose(q));
 }
-/// Rotation of one step from the spin of `L` (Hughes & Winget 1980, the Cayley
-/// transform of W dt): orthogonal to round-off for any step.
+/// Rotation of one step from the spin of `L` (Hughes & Winget 1980, the Cayley transform of W dt): orthogonal to
+/// round-off for any step.
 template <class V>
 constexpr Tensor<V> step_rotation(const Tensor<V>& L, const V& dt) {
   const V quarter = V(0.25) * dt;

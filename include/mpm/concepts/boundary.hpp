@@ -4,14 +4,12 @@
 
 namespace mpm {
 
-/// BOUNDARY CONDITION of one face of the grid; `axis` is its normal, `side` 0
-/// the lower and 1 the upper face.
+/// BOUNDARY CONDITION of one face of the grid; `axis` is its normal, `side` 0 the lower and 1 the upper face.
 ///   - `load(grid, axis, side)`: adds its forces to the nodal forces;
-///   - `constrain(field, grid, axis, side)`: takes the components it prescribes
-///   out of a nodal field (velocities, and the
+///   - `constrain(field, grid, axis, side)`: takes the components it prescribes out of a nodal field (velocities, and
+///   the
 ///     forces that would change them);
-///   - `absorb(grid, axis, side, dt)`: changes the advanced velocities
-///   implicitly, the increment with them;
+///   - `absorb(grid, axis, side, dt)`: changes the advanced velocities implicitly, the increment with them;
 ///   - `work`: what it has done on the bodies, J.
 template <class B, class S>
 concept BoundaryCondition = requires(B b, Grid<S> grid, std::vector<Vector<S>> field, typename S::Scalar dt) {
@@ -21,9 +19,8 @@ concept BoundaryCondition = requires(B b, Grid<S> grid, std::vector<Vector<S>> f
   { b.work } -> std::convertible_to<double>;
 };
 
-/// Area of a face of axis `axis` that belongs to the node at index i: cells
-/// around it, half ones at an edge; times the radius in a space with a hoop
-/// direction.
+/// Area of a face of axis `axis` that belongs to the node at index i: cells around it, half ones at an edge; times the
+/// radius in a space with a hoop direction.
 template <Space S>
 typename S::Scalar tributary_area(const Grid<S>& grid, int axis, const std::array<int, S::dimension>& i) {
   typename S::Scalar area = 1;

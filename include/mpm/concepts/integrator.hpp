@@ -8,19 +8,15 @@ namespace mpm {
 enum class StressUpdate {
   first,         ///< USF: with the velocities before the forces act
   last,          ///< USL: with the advanced velocities
-  modified_last  ///< MUSL: with the particles' new momenta, remapped to the
-                 ///< nodes
+  modified_last  ///< MUSL: with the particles' new momenta, remapped to the nodes
 };
 
 /// INTEGRATOR: how nodes and particles go from one time to the next.
 ///   - `stress_update`: a StressUpdate;
-///   - `keeps_node_velocity`: nodes carry their velocities from step to step,
-///   and particles carry none;
+///   - `keeps_node_velocity`: nodes carry their velocities from step to step, and particles carry none;
 ///   - `step_interval`: the stable step is computed again every so many steps;
-///   - `advance(grid, dt)`: from v_I, f_I and m_I to v_I+ and the increment
-///   v_I+ - v_I;
-///   - `particle_velocity(v_p, v, dv)`, unless nodes keep theirs: the new v_p
-///   from the old one and the interpolated
+///   - `advance(grid, dt)`: from v_I, f_I and m_I to v_I+ and the increment v_I+ - v_I;
+///   - `particle_velocity(v_p, v, dv)`, unless nodes keep theirs: the new v_p from the old one and the interpolated
 ///     v_I+ and increment.
 template <class I>
 concept Integrator = requires {

@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <mpm/concepts/integrator.hpp>
 #include <mpm/grid.hpp>
+#include <algorithm>
+#include <cmath>
 
 namespace mpm {
 
 enum class Damping {
-  adaptive,  ///< critical for the motion at hand (Underwood 1983; Kilic &
-             ///< Madenci 2010)
+  adaptive,  ///< critical for the motion at hand (Underwood 1983; Kilic & Madenci 2010)
   fixed      ///< critical for the given lowest frequency
 };
 
-/// Dynamic relaxation to the static state: v+ = (1 - b)/(1 + b) v- + dt f / m /
-/// (1 + b) (Eq 29, 30 of Xiao et al. 2024 with the undamped acceleration f/m).
+/// Dynamic relaxation to the static state: v+ = (1 - b)/(1 + b) v- + dt f / m / (1 + b) (Eq 29, 30 of Xiao et al. 2024
+/// with the undamped acceleration f/m).
 ///
-/// The nodes keep their velocities and the particles have none: what is not
-/// remapped is not smoothed, and it converges in a third of the steps.
+/// The nodes keep their velocities and the particles have none: what is not remapped is not smoothed, and it converges
+/// in a third of the steps.
 template <Damping How = Damping::adaptive>
 struct DynamicRelaxation {
-  double frequency = 0;  ///< lowest circular frequency, rad/s, for fixed
-                         ///< damping; about pi c_p / (2 L)
+  double frequency = 0;  ///< lowest circular frequency, rad/s, for fixed damping; about pi c_p / (2 L)
 
   static constexpr StressUpdate stress_update = StressUpdate::last;
   static constexpr bool keeps_node_velocity = true;
@@ -58,9 +56,8 @@ struct DynamicRelaxation {
   static std::size_t slot(int node, int d) {
     return std::size_t(node) * S::dimension + std::size_t(d);
   }
-  /// b = c dt / 2. Fixed: critical for `frequency`, O sqrt(1 - O^2/4), O = w
-  /// dt. Adaptive: c = 2 sqrt(u K u / u M u) with the diagonal stiffness m k, k
-  /// = -(a_n - a_(n-1)) / (dt v), where it is positive.
+  /// b = c dt / 2. Fixed: critical for `frequency`, O sqrt(1 - O^2/4), O = w dt. Adaptive: c = 2 sqrt(u K u / u M u)
+  /// with the diagonal stiffness m k, k = -(a_n - a_(n-1)) / (dt v), where it is positive.
   template <class S>
   double coefficient(const Grid<S>& grid, double dt) const {
     if constexpr (How == Damping::fixed) {

@@ -5,12 +5,10 @@
 
 namespace mpm {
 
-/// Explicit dynamics, symplectic Euler on the nodes, with a blend of FLIP and
-/// PIC to the particles.
+/// Explicit dynamics, symplectic Euler on the nodes, with a blend of FLIP and PIC to the particles.
 template <StressUpdate When>
 struct Explicit {
-  double flip = 1;  ///< 1: the increment (FLIP, Brackbill & Ruppel 1986), 0: the
-                    ///< nodal velocity itself (PIC)
+  double flip = 1;  ///< 1: the increment (FLIP, Brackbill & Ruppel 1986), 0: the nodal velocity itself (PIC)
 
   static constexpr StressUpdate stress_update = When;
   static constexpr bool keeps_node_velocity = false;

@@ -22,9 +22,9 @@ struct RankineSoftening {
   /// Largest strength, Pa, at which a particle of this size, m, softens without snap-back.
   double largest_strength(double young, double size) const { return std::sqrt(2 * young * fracture_energy / size); }
 
-  /// Damage, 0 to 1, once the largest principal stress of the elastic trial has reached `peak`. `longitudinal` is
-  /// K + 4G/3: in uniaxial strain the stress falls linearly from s_t to zero at the strain e_f = 2 G_f/(s_t l_c), and
-  /// since the energy released a unit of damage is peak^2/2(K + 4G/3), the area is G_f in uniaxial stress as well.
+  /// Damage, 0 to 1, once the largest principal stress of the elastic trial has reached `peak`. `longitudinal` is K +
+  /// 4G/3: in uniaxial strain the stress falls linearly from s_t to zero at the strain e_f = 2 G_f/(s_t l_c), and since
+  /// the energy released a unit of damage is peak^2/2(K + 4G/3), the area is G_f in uniaxial stress as well.
   template <class V>
   V damage(const V& peak, const V& particle_strength, double longitudinal, const V& size) const {
     const V end =
@@ -36,9 +36,9 @@ struct RankineSoftening {
 };
 
 /// A rock with a tensile law beside its own: Rankine damage d on the largest principal stress of the elastic trial,
-/// stress (1 - d) trial + d `without_tension`. One scalar says how far a particle is cracked, but it acts only on
-/// the directions in tension: cracks close in compression with the full stiffness, radial compression passes along an
-/// open radial crack, and reopening meets the weakened rock. The rock's own strength sees this nominal stress.
+/// stress (1 - d) trial + d `without_tension`. One scalar says how far a particle is cracked, but it acts only on the
+/// directions in tension: cracks close in compression with the full stiffness, radial compression passes along an open
+/// radial crack, and reopening meets the weakened rock. The rock's own strength sees this nominal stress.
 ///
 /// `stress` is nominal, what the grid sees; `trial` is the deviator of the uncracked rock under the same elastic strain
 /// (its pressure follows from J). They differ only where a cracked particle is in tension.

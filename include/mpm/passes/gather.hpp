@@ -13,8 +13,7 @@ Vector<S> interpolate(const Out& stencil, const std::vector<Vector<S>>& field) {
   return value;
 }
 
-/// Velocity gradient sum v_I (x) grad w_Ip, lifted to 3x3 (v_r / r in the hoop
-/// direction).
+/// Velocity gradient sum v_I (x) grad w_Ip, lifted to 3x3 (v_r / r in the hoop direction).
 template <class S, class Out>
 Tensor<typename S::Scalar> velocity_gradient(const Out& stencil, const std::vector<Vector<S>>& velocity,
                                              typename S::Scalar radius) {
@@ -32,8 +31,7 @@ Tensor<typename S::Scalar> velocity_gradient(const Out& stencil, const std::vect
   return {g[0][0], g[0][1], g[0][2], g[1][0], g[1][1], g[1][2], g[2][0], g[2][1], g[2][2]};
 }
 
-/// v_p from the nodes, as the integrator blends the increment (FLIP) and the
-/// velocity itself (PIC).
+/// v_p from the nodes, as the integrator blends the increment (FLIP) and the velocity itself (PIC).
 template <class Body, class Nodes, class Integrator>
 void gather_velocity(Body& body, const Nodes& nodes, const Integrator& integrator) {
   using S = typename Body::SpaceType;
@@ -45,18 +43,16 @@ void gather_velocity(Body& body, const Nodes& nodes, const Integrator& integrato
   });
 }
 
-/// Positions and domains ride the nodes: x_p += dt sum w_Ip v_I, corners with
-/// the field that strains the particles. Returns the first particle whose
-/// domain has inverted, or body.size().
+/// Positions and domains ride the nodes: x_p += dt sum w_Ip v_I, corners with the field that strains the particles.
+/// Returns the first particle whose domain has inverted, or body.size().
 template <class Body, class Nodes, class S = typename Body::SpaceType>
 std::size_t convect(Body& body, const Nodes& nodes, const std::vector<Vector<S>>& strain_velocity,
                     typename S::Scalar dt) {
   if constexpr (Body::Shape::domain_motion == DomainMotion::corners) {
     static_assert(
         requires { body.shape.convect(body, strain_velocity, dt); },
-        "mpm::ShapeFunction: domain_motion is `corners`, so the shape must "
-        "have the member "
-        "convect(body, velocity, dt), which moves its domains");
+        "mpm::ShapeFunction: domain_motion is `corners`, so the shape must have the member convect(body, velocity, "
+        "dt), which moves its domains");
     return body.shape.convect(body, strain_velocity, dt);
   } else {
     for_each_particle(body, [&](std::size_t p) {

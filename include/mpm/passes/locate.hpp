@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
-#include <cstdint>
 #include <mpm/corner_nodes.hpp>
 #include <mpm/grid.hpp>
 #include <mpm/stencil.hpp>
+#include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
 namespace mpm {
 
-/// Where the particles of one body stand: ordered by block of the grid, the
-/// blocks by strip (a layer of blocks across the last axis), those whose
-/// domains pass their strip's neighbourhood last.
+/// Where the particles of one body stand: ordered by block of the grid, the blocks by strip (a layer of blocks across
+/// the last axis), those whose domains pass their strip's neighbourhood last.
 struct ParticleOrder {
-  std::vector<std::uint32_t> key;          ///< block of each particle; one past the last
-                                           ///< block for the wide ones
+  std::vector<std::uint32_t> key;          ///< block of each particle; one past the last block for the wide ones
   std::vector<std::size_t> strip_begin;    ///< first particle of each strip, and of the tail at the end
   std::vector<std::uint32_t> permutation;  ///< work arrays of the counting sort
   std::vector<std::uint32_t> next;
@@ -40,9 +38,8 @@ auto make_stencil(const Body& body, std::size_t p, const CornerNodes<S>&) {
 
 namespace detail {
 
-/// Block of particle p, or block_count if its stencil could touch nodes beyond
-/// those of its strip plus one row below and two above: strips of one colour
-/// are a strip apart, so such a particle would break the colouring.
+/// Block of particle p, or block_count if its stencil could touch nodes beyond those of its strip plus one row below
+/// and two above: strips of one colour are a strip apart, so such a particle would break the colouring.
 template <class Body, class S>
 std::uint32_t block_of(const Body& body, std::size_t p, const Grid<S>& grid) {
   constexpr int edge = Grid<S>::block_edge;
@@ -77,8 +74,7 @@ inline void counting_sort(ParticleOrder& order, std::size_t keys) {
 
 }  // namespace detail
 
-/// Finds the block of every particle, reorders the body if one has left its
-/// place, and marks the blocks in use.
+/// Finds the block of every particle, reorders the body if one has left its place, and marks the blocks in use.
 template <class Body, class S>
 void locate(Body& body, Grid<S>& grid, ParticleOrder& order) {
   const std::size_t n = body.size();
@@ -106,9 +102,8 @@ void locate(Body& body, Grid<S>& grid, ParticleOrder& order) {
   }
 }
 
-/// Calls f(p) for every particle such that no two threads touch one node: even
-/// strips at once, then odd ones, then the wide particles one by one. Within a
-/// strip the order is fixed, so sums have the same bits at any thread count.
+/// Calls f(p) for every particle such that no two threads touch one node: even strips at once, then odd ones, then the
+/// wide particles one by one. Within a strip the order is fixed, so sums have the same bits at any thread count.
 template <class F>
 void for_each_coloured(const ParticleOrder& order, const F& f) {
   const int strips = int(order.strip_begin.size()) - 1;
@@ -121,8 +116,7 @@ void for_each_coloured(const ParticleOrder& order, const F& f) {
   for (std::size_t p = order.tail_begin(); p < order.key.size(); ++p) f(p);
 }
 
-/// Calls f(p) for every particle, in parallel; f may write to its own particle
-/// only.
+/// Calls f(p) for every particle, in parallel; f may write to its own particle only.
 template <class Body, class F>
 void for_each_particle(const Body& body, const F& f) {
   const std::int64_t count = std::int64_t(body.size());

@@ -3,8 +3,8 @@
 #include <mpm/passes/locate.hpp>
 #include <type_traits>
 
-// Particles to nodes, those of the grid or a body's own corners. Each pass adds
-// to the nodes in a fixed order whatever the number of threads.
+// Particles to nodes, those of the grid or a body's own corners. Each pass adds to the nodes in a fixed order whatever
+// the number of threads.
 namespace mpm {
 
 /// m_I += w_Ip m_p and (m v)_I += w_Ip m_p v_p.
@@ -30,8 +30,8 @@ void scatter_mass(const Body& body, const ParticleOrder& order, Nodes& nodes) {
   });
 }
 
-/// V sigma grad w: minus the force of one particle on one node (Eq 9 of Xiao et
-/// al. 2024). In a space with a hoop direction sigma_zz acts through w / r.
+/// V sigma grad w: minus the force of one particle on one node (Eq 9 of Xiao et al. 2024). In a space with a hoop
+/// direction sigma_zz acts through w / r.
 template <class S, class Stress, class Scalar = typename S::Scalar>
 Vector<S> stress_flux(const Stress& s, Scalar volume, Scalar radius, Scalar w,
                       const std::array<Scalar, S::dimension>& g) {
@@ -63,8 +63,7 @@ void scatter_force(const Body& body, const ParticleOrder& order, Nodes& nodes, c
   });
 }
 
-/// Sum of abs(V sigma grad w) a node: the scale that an unbalanced force is
-/// held against (Eq 31, corrected).
+/// Sum of abs(V sigma grad w) a node: the scale that an unbalanced force is held against (Eq 31, corrected).
 template <class Body, class S>
 void scatter_force_scale(const Body& body, const ParticleOrder& order, const Grid<S>& grid,
                          std::vector<typename S::Scalar>& scale) {

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/passes/gather.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mpm/passes/gather.hpp>
 
 namespace mpm {
 
-/// Eigenvalues of G_p = sum_I grad w_I (x) grad w_I / w_I, 1/m2: how stiff the
-/// grid is to one particle.
+/// Eigenvalues of G_p = sum_I grad w_I (x) grad w_I / w_I, 1/m2: how stiff the grid is to one particle.
 ///
-/// Nodes that stand twice in a stencil (corners of a domain sharing a cell) are
-/// first added up. A node whose weight is below 1e-9 of the particle is left
-/// out: its share of the bound is the small-mass limit of the linear shape.
+/// Nodes that stand twice in a stencil (corners of a domain sharing a cell) are first added up. A node whose weight is
+/// below 1e-9 of the particle is left out: its share of the bound is the small-mass limit of the linear shape.
 template <class S, class Out>
 std::array<typename S::Scalar, S::dimension> grid_stiffness(Out stencil) {
   using Scalar = typename S::Scalar;
@@ -42,9 +40,8 @@ std::array<typename S::Scalar, S::dimension> grid_stiffness(Out stencil) {
   }
 }
 
-/// Largest stable step of particle p: Irons' bound 2 / sqrt(l_max(C : diag(b))
-/// / rho) with the law's tangent, a bound of the eigenvalues of its normal
-/// block by 2 G max b + lambda sum b (exact for equal b).
+/// Largest stable step of particle p: Irons' bound 2 / sqrt(l_max(C : diag(b)) / rho) with the law's tangent, a bound
+/// of the eigenvalues of its normal block by 2 G max b + lambda sum b (exact for equal b).
 template <class S, class Out>
 typename S::Scalar irons_step(const Out& stencil, const Moduli<typename S::Scalar>& C, typename S::Scalar density,
                               typename S::Scalar radius) {
@@ -58,9 +55,8 @@ typename S::Scalar irons_step(const Out& stencil, const Moduli<typename S::Scala
   return 2 / std::sqrt((shear + lambda * sum) / density);
 }
 
-/// The step that is safe for every particle of the body: Irons' bound with the
-/// tangent moduli, reduced for bulk viscosity, and abs(v) dt < h / 2, abs(grad
-/// v) dt < 0.1.
+/// The step that is safe for every particle of the body: Irons' bound with the tangent moduli, reduced for bulk
+/// viscosity, and abs(v) dt < h / 2, abs(grad v) dt < 0.1.
 template <class Body, class S>
 typename S::Scalar stable_step(const Body& body, const Grid<S>& grid) {
   using Scalar = typename S::Scalar;

@@ -7,9 +7,8 @@
 
 namespace mpm {
 
-/// The passes between one body and the grid: straight, or by way of the body's
-/// own corners where its domains have them. `nodes(grid)` is what the particles
-/// talk to.
+/// The passes between one body and the grid: straight, or by way of the body's own corners where its domains have them.
+/// `nodes(grid)` is what the particles talk to.
 template <class Body>
 class Transfer {
  public:
@@ -29,8 +28,7 @@ class Transfer {
     }
   }
 
-  /// m_I += w m and momentum_I += w m v, into the field of the grid that is
-  /// named.
+  /// m_I += w m and momentum_I += w m v, into the field of the grid that is named.
   void scatter_momentum(const Body& body, Grid<S>& grid, std::vector<Vector<S>>& momentum) {
     if constexpr (by_corners) {
       corners_.for_each([&](std::size_t c) { corners_.mass[c] = 0, corners_.velocity[c].setZero(); });
@@ -52,8 +50,7 @@ class Transfer {
       mpm::scatter_mass(body, order_, grid);
     }
   }
-  /// f_I += -V sigma grad w + w m b, and the pressure on the surface that
-  /// corners may have.
+  /// f_I += -V sigma grad w + w m b, and the pressure on the surface that corners may have.
   void scatter_force(const Body& body, Grid<S>& grid, const Vector<S>& body_force) {
     if constexpr (by_corners) {
       mpm::scatter_force(body, order_, corners_, body_force);

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cmath>
 #include <mpm/passes/gather.hpp>
+#include <cmath>
 
 namespace mpm {
 
-/// Strains every particle with the nodal velocities, moves its volume (and F)
-/// along, and calls the law.
+/// Strains every particle with the nodal velocities, moves its volume (and F) along, and calls the law.
 ///
-/// In MUSL `velocity` is the remapped field. The work V sigma : D dt is added
-/// up in a fixed order. Returns the first particle whose volume or stress is no
-/// longer a finite positive number, or body.size().
+/// In MUSL `velocity` is the remapped field. The work V sigma : D dt is added up in a fixed order. Returns the first
+/// particle whose volume or stress is no longer a finite positive number, or body.size().
 template <class Body, class Nodes, class S = typename Body::SpaceType>
 std::size_t update_stress(Body& body, const Nodes& nodes, const std::vector<Vector<S>>& velocity,
                           typename S::Scalar cell, typename S::Scalar time, typename S::Scalar dt,

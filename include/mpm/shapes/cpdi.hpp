@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <limits>
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/shapes/tensor_product.hpp>
+#include <limits>
 
 namespace mpm {
 
-/// CPDI, the parallelogram of Sadeghirad, Brannon & Burghardt (2011), "R4":
-/// half edges r_k = F r_k0, the grid's hats interpolated between the four
-/// corners. In one dimension a segment.
+/// CPDI, the parallelogram of Sadeghirad, Brannon & Burghardt (2011), "R4": half edges r_k = F r_k0, the grid's hats
+/// interpolated between the four corners. In one dimension a segment.
 struct Cpdi {
   std::array<double, 3> half_size{};  ///< initial half edges of every particle's domain, m
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
-#include <cstdint>
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/shapes/cpdi.hpp>
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -11,12 +11,10 @@
 
 namespace mpm {
 
-/// CPDI2, "CPDI-Quadrilateral" (Sadeghirad, Brannon & Guilkey 2013): domains
-/// are quadrilaterals whose corners ride the grid. Neighbours share their
-/// corners, so that no gap can open between them.
+/// CPDI2, "CPDI-Quadrilateral" (Sadeghirad, Brannon & Guilkey 2013): domains are quadrilaterals whose corners ride the
+/// grid. Neighbours share their corners, so that no gap can open between them.
 ///
-/// Corner positions are double whatever the space's scalar: in float a
-/// displacement of a nanometre would be lost.
+/// Corner positions are double whatever the space's scalar: in float a displacement of a nanometre would be lost.
 struct CpdiQuad {
   using Point = std::array<double, 2>;
   using Quad = std::array<std::uint32_t, 4>;
@@ -33,8 +31,8 @@ struct CpdiQuad {
   template <class S>
   static constexpr std::size_t bytes = sizeof(Quad) + sizeof(Point);
 
-  /// Weights and gradients of the four corners of a quadrilateral: the averages
-  /// over its area of its bilinear functions.
+  /// Weights and gradients of the four corners of a quadrilateral: the averages over its area of its bilinear
+  /// functions.
   struct Weights {
     double area;
     std::array<double, 4> w;
@@ -107,10 +105,9 @@ struct CpdiQuad {
     quad.swap(scratch_);
   }
 
-  /// The corners move with their velocities; positions and volumes of the
-  /// particles are those of their domains. Returns the first particle whose
-  /// quadrilateral has lost its area, or crosses itself so far that its centroid
-  /// is no longer between its corners, or body.size().
+  /// The corners move with their velocities; positions and volumes of the particles are those of their domains. Returns
+  /// the first particle whose quadrilateral has lost its area, or crosses itself so far that its centroid is no longer
+  /// between its corners, or body.size().
   template <class Body, class V, class Scalar>
   std::size_t convect(Body& body, const std::vector<V>& velocity, Scalar dt) {
     const std::int64_t corners = std::int64_t(corner.size());
@@ -132,9 +129,8 @@ struct CpdiQuad {
     }
     return std::size_t(bad);
   }
-  /// Adds the pressure on the free edges to the forces on the corners, with the
-  /// weights of the internal force, so that a constant stress balances it
-  /// exactly.
+  /// Adds the pressure on the free edges to the forces on the corners, with the weights of the internal force, so that
+  /// a constant stress balances it exactly.
   template <class V>
   void load_surface(std::vector<V>& force) const {
     using Scalar = typename V::Scalar;
@@ -162,8 +158,7 @@ struct CpdiQuad {
 
 static_assert(ShapeFunction<CpdiQuad>);
 
-/// Appends a quadrilateral with corners `q` of body.shape to the body, at
-/// relative volume J.
+/// Appends a quadrilateral with corners `q` of body.shape to the body, at relative volume J.
 template <class Body>
 void add_quad(Body& body, const CpdiQuad::Quad& q, typename Body::Scalar J = 1) {
   using Scalar = typename Body::Scalar;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <limits>
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/shapes/tensor_product.hpp>
+#include <limits>
 
 namespace mpm {
 
-/// Right stretch U of F = R U along the axes of the space: its diagonal. U, not
-/// F_ii, since a rotation must not change the size of a domain (at 90 degrees
-/// F_ii vanishes).
+/// Right stretch U of F = R U along the axes of the space: its diagonal. U, not F_ii, since a rotation must not change
+/// the size of a domain (at 90 degrees F_ii vanishes).
 template <int Dimension, class Scalar>
 std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar>& F) {
   if constexpr (Dimension == 1) {
@@ -20,8 +19,7 @@ std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar>& F) {
     const Scalar scale = 1 / std::sqrt(Cxx + Cyy + 2 * J);
     return {(Cxx + J) * scale, (Cyy + J) * scale};
   } else {
-    // Newton's iteration for the polar decomposition (Higham 1986): R <- (R +
-    // R^-T) / 2.
+    // Newton's iteration for the polar decomposition (Higham 1986): R <- (R + R^-T) / 2.
     Tensor<Scalar> R = F;
     for (int k = 0; k < 8; ++k) {
       const Tensor<Scalar> cofactor{R.yy * R.zz - R.yz * R.zy, R.yz * R.zx - R.yx * R.zz, R.yx * R.zy - R.yy * R.zx,
@@ -34,9 +32,8 @@ std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar>& F) {
   }
 }
 
-/// Contiguous-particle GIMP: the box stretches with the particle (Wallstedt &
-/// Guilkey 2008). Half sizes beyond one and a half cells are held there; such a
-/// particle spans four cells.
+/// Contiguous-particle GIMP: the box stretches with the particle (Wallstedt & Guilkey 2008). Half sizes beyond one and
+/// a half cells are held there; such a particle spans four cells.
 struct Cpgimp {
   std::array<double, 3> half_size{};  ///< initial half edges of every particle's box, m
 

@@ -5,9 +5,8 @@
 
 namespace mpm {
 
-/// Linear shape functions of the grid at the particle's position: the original
-/// material point method (Sulsky, Chen & Schreyer 1994). Gradients jump where a
-/// particle crosses into the next cell.
+/// Linear shape functions of the grid at the particle's position: the original material point method (Sulsky, Chen &
+/// Schreyer 1994). Gradients jump where a particle crosses into the next cell.
 struct Linear {
   static constexpr DomainMotion domain_motion = DomainMotion::rigid;
   template <class S>

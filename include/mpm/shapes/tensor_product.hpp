@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <mpm/error.hpp>
 #include <mpm/grid.hpp>
 #include <mpm/stencil.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <sstream>
 
 namespace mpm::shapes {

@@ -5,12 +5,10 @@
 
 namespace mpm {
 
-/// Uniform GIMP: the hat averaged over a box that keeps its size (Bardenhagen &
-/// Kober 2004). Robust under any distortion, hence the choice for gases; gaps
-/// open when a solid is stretched.
+/// Uniform GIMP: the hat averaged over a box that keeps its size (Bardenhagen & Kober 2004). Robust under any
+/// distortion, hence the choice for gases; gaps open when a solid is stretched.
 struct Ugimp {
-  std::array<double, 3> half_size{};  ///< half edges of every particle's box, m;
-                                      ///< positive and at most half a cell
+  std::array<double, 3> half_size{};  ///< half edges of every particle's box, m; positive and at most half a cell
 
   static constexpr DomainMotion domain_motion = DomainMotion::rigid;
   template <class S>
