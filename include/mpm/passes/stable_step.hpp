@@ -9,25 +9,18 @@ namespace mpm {
 
 /// Eigenvalues of G_p = sum_I grad w_I (x) grad w_I / w_I, 1/m2: how stiff the grid is to one particle.
 ///
-/// Nodes that stand twice in a stencil (corners of a domain sharing a cell) are first added up. A node whose weight is
-/// below 1e-9 of the particle is left out: its share of the bound is the small-mass limit of the linear shape.
+/// A node that stands twice in a stencil counts as two, which can only overestimate it. One whose weight is below 1e-9
+/// of the particle is left out: its share of the bound is the small-mass limit of the linear shape.
 template <class S, class Out>
-std::array<typename S::Scalar, S::dimension> grid_stiffness(Out stencil) {
+std::array<typename S::Scalar, S::dimension> grid_stiffness(const Out& stencil) {
   using Scalar = typename S::Scalar;
   constexpr int dimension = S::dimension;
   Scalar G[dimension][dimension] = {};
-  for (auto a = stencil.begin(); a != stencil.end(); ++a) {
-    if (a->node < 0) continue;
-    for (auto b = a + 1; b != stencil.end(); ++b) {
-      if (b->node != a->node) continue;
-      a->weight += b->weight;
-      for (int d = 0; d < dimension; ++d) a->gradient[d] += b->gradient[d];
-      b->node = -1;
-    }
-    if (a->weight < Scalar(1e-9)) continue;
-    const Scalar inverse = 1 / a->weight;
+  for (const auto& [I, w, grad] : stencil) {
+    if (w < Scalar(1e-9)) continue;
+    const Scalar inverse = 1 / w;
     for (int i = 0; i < dimension; ++i)
-      for (int j = 0; j < dimension; ++j) G[i][j] += a->gradient[i] * a->gradient[j] * inverse;
+      for (int j = 0; j < dimension; ++j) G[i][j] += grad[i] * grad[j] * inverse;
   }
   if constexpr (dimension == 1) {
     return {G[0][0]};

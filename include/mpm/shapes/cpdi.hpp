@@ -2,6 +2,7 @@
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/shapes/tensor_product.hpp>
+#include <utility>
 #include <limits>
 
 namespace mpm {
@@ -24,17 +25,19 @@ struct Cpdi {
     const auto F = body.F(p);
     if constexpr (S::dimension == 1) {
       const Scalar r = F.xx * Scalar(half_size[0]);
-      corner(grid, {body.x(0)[p] - r}, Scalar(0.5), {-1 / (2 * r)}, out);
-      corner(grid, {body.x(0)[p] + r}, Scalar(0.5), {1 / (2 * r)}, out);
+      end_point(grid, body.x(0)[p] - r, -1 / (2 * r), out);
+      end_point(grid, body.x(0)[p] + r, 1 / (2 * r), out);
     } else {
       const Scalar l0 = Scalar(half_size[0]), l1 = Scalar(half_size[1]), x = body.x(0)[p], y = body.x(1)[p];
       const Scalar ax = F.xx * l0, ay = F.yx * l0, bx = F.xy * l1, by = F.yy * l1;
       const Scalar scale = 1 / (4 * (ax * by - ay * bx)), quarter = Scalar(0.25);
       const std::array<Scalar, 2> g1{(ay - by) * scale, (bx - ax) * scale}, g2{(ay + by) * scale, -(ax + bx) * scale};
-      corner(grid, {x - ax - bx, y - ay - by}, quarter, g1, out);
-      corner(grid, {x + ax - bx, y + ay - by}, quarter, g2, out);
-      corner(grid, {x + ax + bx, y + ay + by}, quarter, {-g1[0], -g1[1]}, out);
-      corner(grid, {x - ax + bx, y - ay + by}, quarter, {-g2[0], -g2[1]}, out);
+      corners(grid,
+              {{{{x - ax - bx, y - ay - by}, quarter, g1},
+                {{x + ax - bx, y + ay - by}, quarter, g2},
+                {{x + ax + bx, y + ay + by}, quarter, {-g1[0], -g1[1]}},
+                {{x - ax + bx, y - ay + by}, quarter, {-g2[0], -g2[1]}}}},
+              out);
     }
   }
   template <class Body>
@@ -56,22 +59,63 @@ struct Cpdi {
   }
   void permute(std::span<const std::uint32_t>) {}
 
-  /// Adds the nodes around one corner: weight w N_I and gradient g N_I.
+  /// A corner of a domain: position, weight w_c and gradient g_c of its function.
+  template <class Scalar>
+  struct Corner {
+    std::array<Scalar, 2> x;
+    Scalar w;
+    std::array<Scalar, 2> g;
+  };
+  /// Adds the nodes around four corners: weights sum w_c N_I(x_c), gradients sum g_c N_I(x_c). A node shared by corners
+  /// stands once, unless the domain spans more than three cells.
   template <class S, class Out>
-  static void corner(const Grid<S>& grid, const std::array<typename S::Scalar, S::dimension>& x, typename S::Scalar w,
-                     const std::array<typename S::Scalar, S::dimension>& g, Out& out) {
-    const auto a = shapes::hat_axis(grid.coordinate(x[0], 0), grid.cells(0));
-    if constexpr (S::dimension == 1) {
-      for (int i = 0; i < 2; ++i) out.add(a.first + i, w * a.w[i], {g[0] * a.w[i]});
-    } else {
-      const auto b = shapes::hat_axis(grid.coordinate(x[1], 1), grid.cells(1));
-      const int node = a.first + b.first * grid.stride(1);
-      for (int j = 0; j < 2; ++j)
-        for (int i = 0; i < 2; ++i) {
-          const auto N = a.w[i] * b.w[j];
-          out.add(node + i + j * grid.stride(1), w * N, {g[0] * N, g[1] * N});
-        }
+  static void corners(const Grid<S>& grid, const std::array<Corner<typename S::Scalar>, 4>& corner, Out& out) {
+    using Scalar = typename S::Scalar;
+    std::array<AxisStencil<Scalar, 2>, 4> a, b;
+    for (int c = 0; c < 4; ++c) {
+      a[c] = shapes::hat_axis(grid.coordinate(corner[c].x[0], 0), grid.cells(0));
+      b[c] = shapes::hat_axis(grid.coordinate(corner[c].x[1], 1), grid.cells(1));
     }
+    const std::pair<int, int> x = std::minmax({a[0].first, a[1].first, a[2].first, a[3].first});
+    const std::pair<int, int> y = std::minmax({b[0].first, b[1].first, b[2].first, b[3].first});
+    const int left = x.first, low = y.first;
+    const int stride = grid.stride(1), width = x.second - left + 2, height = y.second - low + 2;
+    if (width > 4 || height > 4) {
+      for (int c = 0; c < 4; ++c)
+        around(corner[c], a[c], b[c], [&](int i, int j, Scalar w, Scalar gx, Scalar gy) {
+          out.add(i + j * stride, w, {gx, gy});
+        });
+      return;
+    }
+    std::array<std::array<Scalar, 3>, 16> patch{};
+    for (int c = 0; c < 4; ++c)
+      around(corner[c], a[c], b[c], [&](int i, int j, Scalar w, Scalar gx, Scalar gy) {
+        auto& node = patch[std::size_t(4 * (j - low) + i - left)];
+        node[0] += w, node[1] += gx, node[2] += gy;
+      });
+    for (int j = 0; j < height; ++j)
+      for (int i = 0; i < width; ++i) {
+        const auto& node = patch[std::size_t(4 * j + i)];
+        out.add(left + i + (low + j) * stride, node[0], {node[1], node[2]});
+      }
+  }
+
+ private:
+  template <class Scalar>
+  using Axis = AxisStencil<Scalar, 2>;
+
+  template <class S, class Out>
+  static void end_point(const Grid<S>& grid, typename S::Scalar x, typename S::Scalar g, Out& out) {
+    const auto a = shapes::hat_axis(grid.coordinate(x, 0), grid.cells(0));
+    for (int i = 0; i < 2; ++i) out.add(a.first + i, a.w[i] / 2, {g * a.w[i]});
+  }
+  template <class Scalar, class F>
+  static void around(const Corner<Scalar>& c, const Axis<Scalar>& a, const Axis<Scalar>& b, const F& f) {
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {
+        const Scalar N = a.w[i] * b.w[j];
+        f(a.first + i, b.first + j, c.w * N, c.g[0] * N, c.g[1] * N);
+      }
   }
 };
 

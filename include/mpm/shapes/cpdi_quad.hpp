@@ -67,11 +67,12 @@ struct CpdiQuad {
     static_assert(S::dimension == 2 && !S::hoop, "mpm::CpdiQuad is for two plane dimensions");
     using Scalar = typename S::Scalar;
     const auto k = weights(p);
+    std::array<Cpdi::Corner<Scalar>, 4> corners;
     for (int c = 0; c < 4; ++c) {
-      const Point& x = corner[quad[p][c]];
-      Cpdi::corner(grid, {Scalar(x[0]), Scalar(x[1])}, Scalar(k.w[c]),
-                   {Scalar(k.gradient[c][0]), Scalar(k.gradient[c][1])}, out);
+      const Point &x = corner[quad[p][c]], &g = k.gradient[c];
+      corners[c] = {{Scalar(x[0]), Scalar(x[1])}, Scalar(k.w[c]), {Scalar(g[0]), Scalar(g[1])}};
     }
+    Cpdi::corners(grid, corners, out);
   }
   /// The weights of particle p on its own corners.
   template <class Out>
