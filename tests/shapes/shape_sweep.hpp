@@ -131,7 +131,12 @@ TYPED_TEST_P(ShapeSweep, ReproducesLinearFields) {
   }
 }
 
+/// The domain of a particle at a face passes it, and is cut off there; a shape without domains has nothing to lose.
 TYPED_TEST_P(ShapeSweep, FoldingAtFacesKeepsTheSums) {
+  constexpr bool samples_a_point = !requires(typename TestFixture::Shape shape) {
+    shape.half_size;
+  }
+  &&TestFixture::Shape::domain_motion == DomainMotion::rigid;
   int at_face = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const auto body = this->particle(0);
@@ -142,6 +147,10 @@ TYPED_TEST_P(ShapeSweep, FoldingAtFacesKeepsTheSums) {
     const auto r = this->residuals(body);
     ASSERT_LT(r.unity, 100);
     ASSERT_LT(r.gradient, 1000);
+    if constexpr (samples_a_point) {
+      ASSERT_LT(r.position, 100);
+      ASSERT_LT(r.jacobian, 2000);
+    }
     at_face += (body.position(0) - this->grid.origin()).minCoeff() < this->cell / 2;
   }
   EXPECT_GT(at_face, 5);
@@ -175,7 +184,7 @@ TYPED_TEST_P(ShapeSweep, NoWeightBeyondTheReach) {
   constexpr int axes = TestFixture::dimension;
   for (int trial = 0; trial < 300; ++trial) {
     const auto body = this->particle(2.5);
-    const auto reach = body.shape.reach(body, 0);
+    const auto reach = body.shape.reach(body, 0, this->grid);
     double beyond = 0;
     for (const auto& [I, node] : this->nodes(body))
       for (int d = 0; d < axes; ++d)
