@@ -76,6 +76,21 @@ double largest_tensile_strength(const Scene& scene) {
   return law.tension.largest_strength(law.young_in_tension(), scene.rock.particle);
 }
 
+namespace {
+
+/// The largest mean pressure beside the hole: the hoop stress there is at most three times the larger stress.
+void check_equation_of_state(const Scene& scene) {
+  const auto law = rock_law<CrushingRock>(scene);
+  const auto [low, high] = std::minmax(scene.stress.horizontal, scene.stress.vertical);
+  try {
+    relative_volume(law, (1 + law.poisson) * (3 * high - low) / 3);
+  } catch (const std::domain_error&) {
+    throw mpm::io::InputError("rock.K1 = " + mpm::io::format_quantity(law.K1, "GPa") +
+                              ": with rock.K2 and rock.K3 this equation of state cannot carry the in-situ stress; "
+                              "lower stress.horizontal and stress.vertical, or correct the constants");
+  }
+}
+
 void check_softening(const Scene& scene) {
   const auto law = rock_law<CrackingRock>(scene);
   if (scene.rock.law != RockLaw::jh2 || scene.rock.tensile.law != TensileLaw::rankine) return;
@@ -86,6 +101,13 @@ void check_softening(const Scene& scene) {
       ": rock of rock.particle = " + mpm::io::format_quantity(scene.rock.particle, "mm") +
       " would snap back as it cracks; keep particles below " +
       mpm::io::format_quantity(std::floor(size * 1e4) * 1e-4, "mm") + ", or raise the fracture energy");
+}
+
+}  // namespace
+
+void check_laws(const Scene& scene) {
+  if (scene.rock.law == RockLaw::jh2) check_equation_of_state(scene);
+  check_softening(scene);
 }
 
 }  // namespace blasting

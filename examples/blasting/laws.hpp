@@ -2,6 +2,7 @@
 #pragma once
 #include "scene.hpp"
 #include <mpm/materials/presets.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -25,8 +26,9 @@ mpm::PolynomialEos air_law(const Scene& scene);
 /// Largest tensile strength, Pa, at which a particle of the scene softens without snap-back (see RankineSoftening).
 double largest_tensile_strength(const Scene& scene);
 
-/// Throws mpm::io::InputError if the scene's mean tensile strength is above `largest_tensile_strength`.
-void check_softening(const Scene& scene);
+/// Throws mpm::io::InputError if the scene's constants make no rock: a mean tensile strength above
+/// `largest_tensile_strength`, or an equation of state that cannot carry the in-situ stress.
+void check_laws(const Scene& scene);
 
 /// Relative volume of rock at rest under the mean pressure p, Pa: the inverse of its equation of state.
 inline double relative_volume(const mpm::JohnsonHolmquist2& rock, double p) {
@@ -50,6 +52,7 @@ auto state_under(const Rock&, const mpm::SymmetricTensor<double>& stress) {
 /// Damage by crushing and by cracking, each 0 to 1; an elastic rock has none.
 struct Damage {
   double crushed = 0, cracked = 0;
+  double larger() const { return std::max(crushed, cracked); }
 };
 template <class State>
 Damage damage_of(const State& state) {

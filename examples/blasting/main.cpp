@@ -4,7 +4,6 @@
 #include "run.hpp"
 #include "scene.hpp"
 #include <mpm/error.hpp>
-#include <omp.h>
 #include <cstdio>
 #include <iostream>
 
@@ -16,8 +15,8 @@ int main(int argc, char** argv) {
     if (options.help) return blasting::print_help(std::cout), 0;
     const auto scene = blasting::read_scene(options);
     blasting::validate(scene);
-    blasting::check_softening(scene);
-    if (options.threads > 0) omp_set_num_threads(options.threads);
+    blasting::check_laws(scene);
+    blasting::use_threads(options.threads);
     if (!options.dry_run) {
       blasting::prepare_output(options.output, options.force);
       blasting::write_scene(scene, options.output / "scene.info");

@@ -57,7 +57,7 @@ void append_cells(mpm::io::UnstructuredGrid& grid, const Body& body, int number,
     put(1, {-trace(s) / 3});
     put(2, {polar.rr});
     put(3, {polar.tt});
-    put(4, {std::max(damage.crushed, damage.cracked)});
+    put(4, {damage.larger()});
     put(5, {damage.crushed});
     put(6, {damage.cracked});
     put(7, {body.mass()[p] / body.volume()[p]});
@@ -102,13 +102,14 @@ std::map<std::string, double> energies(Solver& solver, const Scene& scene, doubl
 /// with gas shows several times as much.
 template <class Body>
 double wall_radial_stress(const Body& rock, const Scene& scene) {
-  std::vector<double> radius(rock.size());
-  for (std::size_t p = 0; p < rock.size(); ++p)
-    radius[p] = std::hypot(rock.x(0)[p] - scene.hole.x, rock.x(1)[p] - scene.hole.y);
-  const double wall = *std::min_element(radius.begin(), radius.end());
+  double wall = 0;
+  for (const auto& edge : rock.shape.surface) {
+    const auto& x = rock.shape.corner[edge.first];
+    wall += std::hypot(x[0] - scene.hole.x, x[1] - scene.hole.y) / double(rock.shape.surface.size());
+  }
   double stress = 0, volume = 0;
   for (std::size_t p = 0; p < rock.size(); ++p) {
-    if (radius[p] > wall + scene.grid.cell) continue;
+    if (std::hypot(rock.x(0)[p] - scene.hole.x, rock.x(1)[p] - scene.hole.y) > wall + scene.grid.cell) continue;
     stress += rock.volume()[p] * polar_stress(rock, p, scene).rr;
     volume += rock.volume()[p];
   }
@@ -135,7 +136,7 @@ Summary::Crack measure_cracks(const Body& rock, const Scene& scene) {
   std::vector<double> damage(rock.size()), crushing(rock.size());
   for (std::size_t p = 0; p < rock.size(); ++p) {
     const auto d = damage_of(rock.state(p));
-    damage[p] = std::max(d.crushed, d.cracked), crushing[p] = d.crushed;
+    damage[p] = d.larger(), crushing[p] = d.crushed;
   }
   const std::span<const double> x{rock.x(0), rock.size()}, y{rock.x(1), rock.size()}, area{rock.volume(), rock.size()};
   const auto c =

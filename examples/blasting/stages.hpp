@@ -156,8 +156,12 @@ inline mpm::Body<Ugimp, mpm::PolynomialEos, Space> make_air(const Scene& scene) 
 /// holding what keeps the rock at rest.
 template <class Rock, class Integrator>
 BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, mpm::Body<CpdiQuad, Rock, Space> rock) {
-  const double density = rock.law.density;
-  const auto moduli = rock.law.tangent(rock.law.template initial<double>(), 1.0);
+  // Waves reach the faces in rock under the far field, which the in-situ stress has made softer or stiffer.
+  std::size_t far = 0;
+  for (std::size_t p = 1; p < rock.size(); ++p)
+    if (rock.x(0)[p] + rock.x(1)[p] > rock.x(0)[far] + rock.x(1)[far]) far = p;
+  const double density = rock.mass()[far] / rock.volume()[far];
+  const auto moduli = rock.law.tangent(rock.state(far), rock.relative_volume(far));
   rock.stress_work = 0;
   BlastSolver<Rock, Integrator> solver(background(scene), std::move(rock), make_charge(scene), make_air(scene));
   solver.safety = scene.step.safety;

@@ -48,7 +48,7 @@ class Body {
   std::string name = "body";
   Shape shape;
   Law law;
-  Scalar stress_work = 0;  ///< sum of V sigma : D dt since the start, J
+  double stress_work = 0;  ///< sum of V sigma : D dt since the start, J
 
   Body() = default;
   Body(std::string body_name, Shape body_shape, Law body_law)

@@ -48,11 +48,11 @@ class Grid : public NodalFields<S> {
       if (cells_[d] < 1) throw Error("grid: axis " + std::to_string(d) + " has no cell; give at least one");
       stride_[d] = int(nodes);
       block_stride_[d] = blocks;
-      nodes *= std::size_t(cells_[d] + 1);
+      nodes *= std::size_t(cells_[d]) + 1;
+      if (nodes > std::size_t(std::numeric_limits<int>::max()))
+        throw Error("grid: more than 2^31 nodes; use a larger cell");
       blocks *= block_count(d);
     }
-    if (nodes > std::size_t(std::numeric_limits<int>::max()))
-      throw Error("grid: more than 2^31 nodes; use a larger cell");
     mass.assign(nodes, 0);
     velocity.assign(nodes, Vector<S>::Zero());
     increment.assign(nodes, Vector<S>::Zero());

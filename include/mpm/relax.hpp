@@ -59,7 +59,7 @@ RelaxationReport relax(SolverT& solver, const RelaxationOptions& options, const 
   while (report.steps < options.max_steps) {
     solver.step();
     after(solver);
-    if (++report.steps % options.check_every != 0) continue;
+    if (++report.steps % options.check_every != 0 && report.steps < options.max_steps) continue;
     report.unbalanced_force = over(solver.integrator.force_norm, solver.force_scale());
     report.kinetic_ratio = over(solver.integrator.kinetic, detail::elastic_energy_scale(solver));
     if (report.unbalanced_force <= options.tolerance && report.kinetic_ratio <= kinetic_tolerance) return report;

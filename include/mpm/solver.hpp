@@ -40,7 +40,7 @@ class Solver {
   Box<S> boundary;
   Vector<S> body_force = Vector<S>::Zero();  ///< b, m/s2
   Scalar safety = Scalar(0.8);               ///< share of the stable step that is taken
-  Scalar time = 0;                           ///< s
+  double time = 0;                           ///< s
   std::int64_t steps = 0;
 
   /// Takes the grid and the bodies, in the order of the columns.
@@ -56,20 +56,20 @@ class Solver {
 
   /// One step, as long as is stable but no longer than `longest`; returns its length, s. Throws Error when a particle
   /// leaves the grid, a volume or a stress is no longer finite, or no stable step exists.
-  Scalar step(Scalar longest = std::numeric_limits<Scalar>::max()) {
-    locate_particles();
-    gather_nodes();
-    const Scalar dt = std::min(longest, stable_step());
+  Scalar step(double longest = std::numeric_limits<double>::max()) {
+    locate_particles();  // w_Ip, grad w_Ip; particles ordered by block
+    scatter_momentum();  // m_I = sum w m_p, v_I = sum w m_p v_p / m_I
+    const Scalar dt = Scalar(std::min(longest, double(stable_step())));
     if constexpr (stress_update == StressUpdate::first) strain_first(dt);
-    assemble_forces();
-    boundary.load(grid);
-    boundary.constrain(grid.increment, grid);
-    integrator.advance(grid, dt);
-    boundary.absorb(grid, dt);
-    if constexpr (!IntegratorT::keeps_node_velocity) update_particle_velocities();
+    scatter_forces();                                                      // f_I = sum (-V sigma grad w + w m b)
+    boundary.load(grid);                                                   // tractions, held reactions
+    boundary.constrain(grid.increment, grid);                              // walls, rollers
+    integrator.advance(grid, dt);                                          // v_I+ = v_I + dt f_I / m_I
+    boundary.absorb(grid, dt);                                             // dashpots
+    if constexpr (!IntegratorT::keeps_node_velocity) gather_velocities();  // v_p += sum w (v_I+ - v_I)
     if constexpr (stress_update == StressUpdate::modified_last) remap_momentum();
-    if constexpr (stress_update != StressUpdate::first) strain(dt);
-    convect_particles(dt);
+    if constexpr (stress_update != StressUpdate::first) strain(dt);  // L = sum v_I (x) grad w, sigma, V
+    convect_particles(dt);                                           // x_p, domains
     time += dt;
     ++steps;
     return dt;
@@ -77,21 +77,21 @@ class Solver {
 
   /// Steps until `end`, which is met exactly; calls `after(solver)` after each step.
   template <class F>
-  void run(Scalar end, const F& after) {
+  void run(double end, const F& after) {
     while (time < end) {
       step(end - time);
       after(*this);
     }
   }
-  void run(Scalar end) {
+  void run(double end) {
     run(end, [](const Solver&) {});
   }
 
   /// Nodal forces -V sigma grad w + w m b of the present state in grid.increment, boundaries not included.
   void internal_forces() {
     locate_particles();
-    gather_nodes();
-    assemble_forces();
+    scatter_momentum();
+    scatter_forces();
   }
   /// Makes every quiet face carry the load that keeps the present state at rest.
   void hold_quiet_faces() {
@@ -99,8 +99,9 @@ class Solver {
     boundary.constrain(grid.increment, grid);
     boundary.hold(grid);
   }
-  /// Norm over the nodes of sum abs(V sigma grad w), the scale of the nodal forces, N.
+  /// Norm over the nodes of sum abs(V sigma grad w) of the present state, the scale of the nodal forces, N.
   double force_scale() {
+    locate_particles();
     std::vector<Scalar> scale(grid.size(), 0);
     for_each_body([&](auto& b, auto& transfer) { transfer.scatter_force_scale(b, grid, scale); });
     double sum = 0;
@@ -124,6 +125,7 @@ class Solver {
   }
 
   void locate_particles() {
+    clear_nodes();  // those of a block that is about to fall idle, too
     grid.deactivate_all();
     for_each_body([&](auto& b, auto& transfer) {
       if (steps == 0) check_policies(b);
@@ -132,13 +134,15 @@ class Solver {
     });
     grid.sort_active();
   }
-  /// m_I and v_I (kept from the last step by an integrator that keeps node velocities).
-  void gather_nodes() {
+  void clear_nodes() {
     grid.for_each_active([&](int n) {
       grid.mass[n] = 0;
       if constexpr (!IntegratorT::keeps_node_velocity) grid.velocity[n].setZero();
       grid.increment[n].setZero();
     });
+  }
+  /// m_I and v_I (kept from the last step by an integrator that keeps node velocities).
+  void scatter_momentum() {
     for_each_body([&](auto& b, auto& transfer) {
       if constexpr (IntegratorT::keeps_node_velocity) {
         transfer.scatter_mass(b, grid);
@@ -148,7 +152,7 @@ class Solver {
     });
     if constexpr (!IntegratorT::keeps_node_velocity) divide_by_mass(grid.velocity);
   }
-  void assemble_forces() {
+  void scatter_forces() {
     for_each_body([&](auto& b, auto& transfer) { transfer.scatter_force(b, grid, body_force); });
   }
   void divide_by_mass(std::vector<Vector<S>>& momentum) {
@@ -157,7 +161,7 @@ class Solver {
     });
     boundary.constrain(momentum, grid);
   }
-  void update_particle_velocities() {
+  void gather_velocities() {
     for_each_body([&](auto& b, auto& transfer) {
       transfer.fetch_velocity(grid);
       transfer.fetch_increment(grid);
@@ -170,7 +174,8 @@ class Solver {
     for_each_body([&](auto& b, auto& transfer) { transfer.scatter_momentum(b, grid, grid.strain_velocity); });
     divide_by_mass(grid.strain_velocity);
   }
-  /// The field that strains particles and moves corners: v_I (USF), v_I+ (USL), or the remapped one (MUSL).
+  /// The field that strains particles and moves corners: the remapped one (MUSL), or the nodes' own, which is v_I
+  /// before they are advanced and v_I+ after.
   template <class Nodes>
   static const auto& strain_velocity(const Nodes& nodes) {
     if constexpr (stress_update == StressUpdate::modified_last) {
@@ -188,7 +193,7 @@ class Solver {
         [&]<class B>(B&, auto&) { domains_changed |= B::Shape::domain_motion == DomainMotion::deformation_gradient; });
     if (!domains_changed) return;
     locate_particles();
-    gather_nodes();
+    scatter_momentum();
   }
   void strain(Scalar dt) {
     for_each_body([&](auto& b, auto& transfer) {
@@ -198,7 +203,7 @@ class Solver {
         transfer.fetch_velocity(grid);
       }
       const auto& nodes = transfer.nodes(grid);
-      const std::size_t bad = update_stress(b, nodes, strain_velocity(nodes), grid.cell(), time, dt, partial_);
+      const std::size_t bad = update_stress(b, nodes, strain_velocity(nodes), grid.cell(), Scalar(time), dt, partial_);
       if (bad < b.size())
         fail(b, bad, "has a volume or stress that is no longer a finite number",
              "lower `safety`, or refine the grid there");

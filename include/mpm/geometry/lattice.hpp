@@ -70,13 +70,14 @@ void fill(Body& body, const Vector<typename Body::SpaceType>& lower, const Vecto
   using S = typename Body::SpaceType;
   if (!(spacing > 0)) throw Error("fill: the spacing of body " + body.name + " must be positive");
   std::array<int, S::dimension> cells, cell{};
-  int count = 1;
+  std::int64_t count = 1;
   for (int d = 0; d < S::dimension; ++d) count *= cells[d] = int(std::lround((upper[d] - lower[d]) / spacing));
   detail::LatticeFiller<Body> filler(body, lower, spacing, cells);
-  for (int k = 0; k < count; ++k) {
+  for (std::int64_t k = 0; k < count; ++k) {
     Vector<S> x;
-    for (int d = 0, rest = k; d < S::dimension; rest /= cells[d++]) {
-      cell[d] = rest % cells[d];
+    std::int64_t rest = k;
+    for (int d = 0; d < S::dimension; rest /= cells[d++]) {
+      cell[d] = int(rest % cells[d]);
       x[d] = lower[d] + spacing * (typename S::Scalar(cell[d]) + typename S::Scalar(0.5));
     }
     if (inside(x)) filler.add(cell, x, velocity);

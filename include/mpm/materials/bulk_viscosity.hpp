@@ -20,11 +20,13 @@ struct BulkViscosity {
     return density * h * closing * (V(linear) * sound_speed + V(quadratic) * h * closing);
   }
 
-  /// What a stable step shrinks by: sqrt(1 + x^2) - x with x = c1 + c0 h |tr D|/c in compression, 1 in expansion.
+  /// What a stable step shrinks by: sqrt(1 + x^2) - x with x = c1 + c0 h |tr D|/c in compression, 1 in expansion and
+  /// where nothing is stiff (c = 0).
   template <class V>
   V step_factor(const V& sound_speed, const V& rate, const V& h) const {
-    const V x = select(rate < V(0), V(linear) + V(quadratic) * h * max(-rate, V(0)) / sound_speed, V(0));
-    return sqrt(V(1) + x * x) - x;
+    const V ratio = h * max(-rate, V(0)) / max(sound_speed, V(1e-30));
+    const V x = select(rate < V(0), V(linear) + V(quadratic) * ratio, V(0));
+    return select(sound_speed > V(0), V(1) / (sqrt(V(1) + x * x) + x), V(1));
   }
 };
 

@@ -120,12 +120,6 @@ struct JohnsonHolmquist2 {
 };
 static_assert(Material<JohnsonHolmquist2> && !Fluid<JohnsonHolmquist2>);
 
-/// The damage a picture shows, 0 to 1.
-template <class V>
-V shown_damage(const JohnsonHolmquist2::State<V>& s) {
-  return s.damage;
-}
-
 inline double JohnsonHolmquist2::relative_volume(double p) const {
   if (!(p > -K1)) throw std::domain_error("JohnsonHolmquist2: no relative volume has a pressure of -K1 or below");
   if (p <= 0) return 1 / (1 + p / K1);

@@ -168,13 +168,4 @@ struct WithTensileLaw : Rock {
 template <class Rock>
 WithTensileLaw(Rock, RankineSoftening) -> WithTensileLaw<Rock>;
 
-/// The damage a picture shows: the larger of crushed and cracked, 0 to 1.
-template <class State>
-requires requires(State s) {
-  s.cracking;
-}
-auto shown_damage(const State& s) {
-  return max(s.damage, s.cracking);
-}
-
 }  // namespace mpm

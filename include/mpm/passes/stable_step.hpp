@@ -10,15 +10,16 @@ namespace mpm {
 /// Eigenvalues of G_p = sum_I grad w_I (x) grad w_I / w_I, 1/m2: how stiff the grid is to one particle.
 ///
 /// A node that stands twice in a stencil counts as two, which can only overestimate it. One whose weight is below 1e-9
-/// of the particle is left out: its share of the bound is the small-mass limit of the linear shape.
+/// of the particle is left out: its share of the bound is the small-mass limit of the linear shape. A negative weight,
+/// of a concave quadrilateral, counts by its size.
 template <class S, class Out>
 std::array<typename S::Scalar, S::dimension> grid_stiffness(const Out& stencil) {
   using Scalar = typename S::Scalar;
   constexpr int dimension = S::dimension;
   Scalar G[dimension][dimension] = {};
   for (const auto& [I, w, grad] : stencil) {
-    if (w < Scalar(1e-9)) continue;
-    const Scalar inverse = 1 / w;
+    if (std::abs(w) < Scalar(1e-9)) continue;
+    const Scalar inverse = 1 / std::abs(w);
     for (int i = 0; i < dimension; ++i)
       for (int j = 0; j < dimension; ++j) G[i][j] += grad[i] * grad[j] * inverse;
   }
@@ -64,7 +65,7 @@ typename S::Scalar stable_step(const Body& body, const Grid<S>& grid) {
     Scalar dt = irons_step<S>(stencil, moduli, density, body.x(0)[p]);
     const auto L = velocity_gradient<S>(stencil, grid.velocity, body.x(0)[p]);
     if constexpr (requires { body.law.viscosity; })
-      dt *= body.law.viscosity.step_factor(trace(L), std::sqrt(moduli.longitudinal / density), grid.cell());
+      dt *= body.law.viscosity.step_factor(std::sqrt(moduli.longitudinal / density), trace(L), grid.cell());
     const Scalar gradient = std::sqrt(inner(symmetric(L), symmetric(L)));
     dt = std::min(dt, Scalar(0.1) / std::max(gradient, std::numeric_limits<Scalar>::min()));
     for (int d = 0; d < S::dimension; ++d)

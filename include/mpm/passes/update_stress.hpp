@@ -47,7 +47,7 @@ std::size_t update_stress(Body& body, const Nodes& nodes, const std::vector<Vect
   }
   double work = 0;
   for (double w : partial) work += w;
-  body.stress_work += Scalar(work);
+  body.stress_work += work;
   return std::size_t(bad);
 }
 
