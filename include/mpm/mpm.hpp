@@ -7,7 +7,9 @@
 
 #include <mpm/integrators/dynamic_relaxation.hpp>
 #include <mpm/integrators/explicit.hpp>
+#include <mpm/integrators/fmpm.hpp>
 
+#include <mpm/shapes/bspline.hpp>
 #include <mpm/shapes/cpdi.hpp>
 #include <mpm/shapes/cpdi_quad.hpp>
 #include <mpm/shapes/cpgimp.hpp>

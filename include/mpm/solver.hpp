@@ -30,6 +30,10 @@ class Solver {
   template <int I>
   using BodyAt = std::tuple_element_t<I, BodyList>;
   static constexpr StressUpdate stress_update = IntegratorT::stress_update;
+  /// The integrator undoes the smoothing of the transfers.
+  static constexpr bool refines = requires(IntegratorT i, Grid<S> g, void (*residual)(std::vector<Vector<S>>&)) {
+    i.refine(g, std::int64_t{}, residual);
+  };
   static_assert(
       requires(IntegratorT i, Grid<S> g, Scalar dt) { i.advance(g, dt); },
       "mpm::Integrator: `advance(grid, dt)` is missing, which Solver::step calls to move the nodes");
@@ -46,7 +50,8 @@ class Solver {
   /// Takes the grid and the bodies, in the order of the columns.
   template <class... B>
   explicit Solver(Grid<S> background, B... body) : grid(std::move(background)), bodies(std::move(body)...) {
-    if constexpr (stress_update == StressUpdate::modified_last) grid.strain_velocity = grid.velocity;
+    if constexpr (own_strain_velocity) grid.strain_velocity = grid.velocity;
+    if constexpr (refines) smoothed_ = grid.velocity;
   }
 
   template <int I = 0>
@@ -66,6 +71,7 @@ class Solver {
     boundary.constrain(grid.increment, grid);                              // walls, rollers
     integrator.advance(grid, dt);                                          // v_I+ = v_I + dt f_I / m_I
     boundary.absorb(grid, dt);                                             // dashpots
+    if constexpr (refines) refine_nodes();                                 // v_I+ sharpened
     if constexpr (!IntegratorT::keeps_node_velocity) gather_velocities();  // v_p += sum w (v_I+ - v_I)
     if constexpr (stress_update == StressUpdate::modified_last) remap_momentum();
     if constexpr (stress_update != StressUpdate::first) strain(dt);  // L = sum v_I (x) grad w, sigma, V
@@ -168,17 +174,28 @@ class Solver {
       gather_velocity(b, transfer.nodes(grid), integrator);
     });
   }
+  void refine_nodes() {
+    integrator.refine(grid, steps, [&](std::vector<Vector<S>>& field) { subtract_smoothed(field); });
+  }
+  /// field -= M^-1 S^T m S field: what is lost of a nodal field on its way to the particles and back.
+  void subtract_smoothed(std::vector<Vector<S>>& field) {
+    grid.for_each_active([&](int n) { smoothed_[n].setZero(); });
+    for_each_body([&](auto& b, auto& transfer) { transfer.scatter_interpolated(b, grid, field, smoothed_); });
+    divide_by_mass(smoothed_);
+    grid.for_each_active([&](int n) { field[n] -= smoothed_[n]; });
+  }
   /// MUSL: the particles' new momenta, back on the nodes.
   void remap_momentum() {
     grid.for_each_active([&](int n) { grid.mass[n] = 0, grid.strain_velocity[n].setZero(); });
     for_each_body([&](auto& b, auto& transfer) { transfer.scatter_momentum(b, grid, grid.strain_velocity); });
     divide_by_mass(grid.strain_velocity);
   }
-  /// The field that strains particles and moves corners: the remapped one (MUSL), or the nodes' own, which is v_I
-  /// before they are advanced and v_I+ after.
+  static constexpr bool own_strain_velocity = stress_update == StressUpdate::modified_last || refines;
+  /// The field that strains particles and moves corners: the remapped one (MUSL), the one an integrator that refines
+  /// has made, or the nodes' own, which is v_I before they are advanced and v_I+ after.
   template <class Nodes>
   static const auto& strain_velocity(const Nodes& nodes) {
-    if constexpr (stress_update == StressUpdate::modified_last) {
+    if constexpr (own_strain_velocity) {
       return nodes.strain_velocity;
     } else {
       return nodes.velocity;
@@ -197,7 +214,7 @@ class Solver {
   }
   void strain(Scalar dt) {
     for_each_body([&](auto& b, auto& transfer) {
-      if constexpr (stress_update == StressUpdate::modified_last) {
+      if constexpr (own_strain_velocity) {
         transfer.fetch_strain_velocity(grid);
       } else {
         transfer.fetch_velocity(grid);
@@ -226,7 +243,11 @@ class Solver {
         throw Error("no particle allows a stable step, in step " + std::to_string(steps));
       }
     }
-    return safety * stable_;
+    if constexpr (requires { integrator.step_factor(); }) {
+      return safety * Scalar(integrator.step_factor()) * stable_;
+    } else {
+      return safety * stable_;
+    }
   }
 
   template <class B>
@@ -293,6 +314,7 @@ class Solver {
 
   typename detail::TransfersOf<BodyList>::Type transfers_;
   std::vector<double> partial_;
+  std::vector<Vector<S>> smoothed_;
   Scalar stable_ = 0;
 };
 

@@ -28,15 +28,21 @@ struct Joined<::testing::Types<A...>, ::testing::Types<B...>, Rest...> {
 };
 /// A shape with every explicit integrator.
 template <class Shape, class S>
-using EveryIntegrator =
-    ::testing::Types<Combination<Shape, Usf, S>, Combination<Shape, Usl, S>, Combination<Shape, Musl, S>>;
+using EveryIntegrator = ::testing::Types<Combination<Shape, Usf, S>, Combination<Shape, Usl, S>,
+                                         Combination<Shape, Musl, S>, Combination<Shape, Fmpm, S>>;
 
 /// Every shape in every space where a translation along the last axis is a rigid motion. A new shape costs one line.
 using Combinations = typename Joined<  //
-    EveryIntegrator<Linear, Uniaxial<>>, EveryIntegrator<Linear, PlaneStrain<>>, EveryIntegrator<Linear, Spatial<>>,
-    EveryIntegrator<Ugimp, PlaneStrain<>>, EveryIntegrator<Ugimp, Axisymmetric<>>, EveryIntegrator<Ugimp, Spatial<>>,
-    EveryIntegrator<Cpgimp, Uniaxial<>>, EveryIntegrator<Cpgimp, PlaneStrain<>>, EveryIntegrator<Cpgimp, Spatial<>>,
-    EveryIntegrator<Cpdi, Uniaxial<>>, EveryIntegrator<Cpdi, PlaneStrain<>>,  //
+    EveryIntegrator<Linear, Uniaxial<>>, EveryIntegrator<Linear, PlaneStrain<>>,
+    EveryIntegrator<Linear, Axisymmetric<>>, EveryIntegrator<Linear, Spatial<>>,  //
+    EveryIntegrator<Ugimp, Uniaxial<>>, EveryIntegrator<Ugimp, PlaneStrain<>>, EveryIntegrator<Ugimp, Axisymmetric<>>,
+    EveryIntegrator<Ugimp, Spatial<>>,  //
+    EveryIntegrator<Cpgimp, Uniaxial<>>, EveryIntegrator<Cpgimp, PlaneStrain<>>,
+    EveryIntegrator<Cpgimp, Axisymmetric<>>, EveryIntegrator<Cpgimp, Spatial<>>,                                     //
+    EveryIntegrator<Cpdi, Uniaxial<>>, EveryIntegrator<Cpdi, PlaneStrain<>>, EveryIntegrator<Cpdi, Axisymmetric<>>,  //
+    EveryIntegrator<QuadraticBspline, Uniaxial<>>, EveryIntegrator<QuadraticBspline, Axisymmetric<>>,
+    EveryIntegrator<QuadraticBspline, Spatial<>>, EveryIntegrator<CubicBspline, PlaneStrain<>>,
+    EveryIntegrator<CubicBspline, Spatial<>>,  //
     EveryIntegrator<CpdiQuad, PlaneStrain<>>>::Type;
 
 constexpr double density = 1000, young = 1e6, cell = 0.1;

@@ -100,11 +100,11 @@ template <class Shape>
 double worst_step() {
   Particle<Shape> particle;
   double worst = 10;
-  for (int i = 0; i <= 20000; ++i) worst = std::min(worst, particle.step(5 + i / 20000.));
+  for (int i = 0; i <= 4000; ++i) worst = std::min(worst, particle.step(5 + i / 4000.));
   return worst;
 }
 TEST(Bspline, CertainStepAtTheWorstOffset) {
-  EXPECT_NEAR(worst_step<QuadraticBspline>(), 2 / std::sqrt(6.), 2e-4);  // just off the middle of a cell
+  EXPECT_NEAR(worst_step<QuadraticBspline>(), 2 / std::sqrt(6.), 5e-4);  // just off the middle of a cell
   EXPECT_NEAR(worst_step<CubicBspline>(), 1.129, 1e-3);
   Particle<QuadraticBspline> quadratic;
   Particle<CubicBspline> cubic;
@@ -112,29 +112,29 @@ TEST(Bspline, CertainStepAtTheWorstOffset) {
   EXPECT_NEAR(cubic.step(5), 2 / std::sqrt(3.), 1e-12);
 }
 
-/// Largest velocity, relative to the first, in 4000 steps of a bar with random velocities of 1e-6 of the speed of
-/// sound.
+/// Largest velocity seen in 1000 steps of a bar with random velocities of 1e-9 of the speed of sound, relative to that;
+/// stops at 1e4.
 template <class Shape>
 double growth(double safety) {
   Body<Shape, Hypoelastic, S> bar{"bar", {}, {1, 1, 0}};
   std::mt19937_64 engine{19};
-  std::uniform_real_distribution<> v(-1e-6, 1e-6);
+  std::uniform_real_distribution<> v(-1e-9, 1e-9);
   for (int p = 0; p < 4 * cells; ++p) bar.add(Vector<S>{(p + 0.5) * h / 4}, h / 4, Vector<S>{v(engine)});
   Solver<Shape, Hypoelastic, Usl, S> solver{Grid<S>{Vector<S>{0.0}, h, {cells}}, std::move(bar)};
   for (int side : {0, 1}) solver.boundary.face(0, side) = Rollers<S>{};
   solver.safety = safety;
   double largest = 0;
-  for (int i = 0; i < 4000 && largest < 1; ++i) {
+  for (int i = 0; i < 1000 && largest < 1e-5; ++i) {
     solver.step();
     for (int p = 0; p < 4 * cells; ++p) largest = std::max(largest, std::abs(solver.body().v(0)[p]));
   }
-  return largest / 1e-6;
+  return largest / 1e-9;
 }
 TEST(Bspline, StandsAtTheCertainStepAndFallsFarBeyond) {
   EXPECT_LT(growth<QuadraticBspline>(1), 3);
   EXPECT_LT(growth<CubicBspline>(1), 3);
-  EXPECT_GT(growth<QuadraticBspline>(2.5), 100);
-  EXPECT_GT(growth<CubicBspline>(2.5), 100);
+  EXPECT_GT(growth<QuadraticBspline>(2.5), 1e4);
+  EXPECT_GT(growth<CubicBspline>(2.5), 1e4);
 }
 
 }  // namespace

@@ -6,9 +6,8 @@ namespace mpm {
 
 /// BOUNDARY CONDITION of one face of the grid; `axis` is its normal, `side` 0 the lower and 1 the upper face.
 ///   - `load(grid, axis, side)`: adds its forces to the nodal forces;
-///   - `constrain(field, grid, axis, side)`: takes the components it prescribes out of a nodal field (velocities, and
-///   the
-///     forces that would change them);
+///   - `constrain(field, grid, axis, side)`: takes the components it prescribes out of a nodal field: velocities, and
+///     the forces that would change them;
 ///   - `absorb(grid, axis, side, dt)`: changes the advanced velocities implicitly, the increment with them;
 ///   - `work`: what it has done on the bodies, J.
 template <class B, class S>

@@ -17,7 +17,12 @@ enum class StressUpdate {
 ///   - `step_interval`: the stable step is computed again every so many steps;
 ///   - `advance(grid, dt)`: from v_I, f_I and m_I to v_I+ and the increment v_I+ - v_I;
 ///   - `particle_velocity(v_p, v, dv)`, unless nodes keep theirs: the new v_p from the old one and the interpolated
-///     v_I+ and increment.
+///     v_I+ and increment;
+///   - optional `refine(grid, steps, residual)`, to undo what the transfers smooth: changes the advanced v_I+ and the
+///     increment before they are gathered, and sets grid.strain_velocity, which then strains the particles;
+///     `residual(field)` takes away from a nodal field what survives the way to the particles and back,
+///     field -= M^-1 S^T m S field;
+///   - optional `step_factor()`: the share of Irons' step that is stable with this integrator, where less than 1.
 template <class I>
 concept Integrator = requires {
   { I::stress_update } -> std::convertible_to<StressUpdate>;

@@ -22,11 +22,12 @@ enum class DomainMotion {
 ///   - `max_nodes<Space>`: the size of the largest stencil;
 ///   - `stencil(body, p, grid, out)`: w_Ip and grad w_Ip; sum w = 1, sum grad w = 0, sum w x_I = x and
 ///     sum x_I (x) grad w_I = 1 wherever the domain lies inside the grid;
-///   - `reach(body, p)`: the half extent of its domain along each axis, m;
-///   - `permute(order)`: follows a reordering of the particles.
-///   - for DomainMotion::corners: `convect(body, velocity, dt)` with the velocities of its corners, which returns the
-///   first
-///     particle whose domain has inverted, or body.size(), and `corner_stencil(p, out)`;
+///   - `reach(body, p, grid)`: the half extent along each axis, m, over which the grid's hats enter its weights: of its
+///     domain, or of the box that makes a spline of a hat;
+///   - `permute(order)`: follows a reordering of the particles;
+///   - for DomainMotion::corners: `corner`, their positions; `corner_stencil(p, out)`: w_cp and grad w_cp on them;
+///     `convect(body, velocity, dt)` with the velocities of the corners, which returns the first particle whose domain
+///     has inverted, or body.size(); `pressure` on its surface, added to the corners' forces by `load_surface(force)`;
 ///   - optional `check(body, grid)`: throws Error before the first step when its parameters are not fit for work.
 template <class S>
 concept ShapeFunction = std::default_initializable<S> && requires(S shape, std::span<const std::uint32_t> order) {

@@ -10,8 +10,7 @@ namespace mpm {
 ///   - `Scalar`, `dimension`;
 ///   - `stress_components`: which of xx yy zz xy yz zx (0..5) can be non-zero and are stored;
 ///   - `gradient_components`: the same of the row-major deformation gradient (0..8);
-///   - `hoop`: the first axis is a radius, and v_r / r enters the velocity gradient (its zz) and sigma_zz / r the
-///   force.
+///   - `hoop`: the first axis is a radius; v_r / r enters the velocity gradient (its zz), and sigma_zz / r the force.
 ///     Volumes and masses are then those of one radian.
 template <class S>
 concept Space = std::floating_point<typename S::Scalar> && requires {

@@ -2,6 +2,7 @@
 #pragma once
 #include <mpm/concepts/integrator.hpp>
 #include <mpm/grid.hpp>
+#include <cmath>
 
 namespace mpm {
 
@@ -22,6 +23,11 @@ struct Explicit {
       grid.velocity[node] += grid.increment[node];
     });
   }
+  /// Share of the stable step. USL strains with velocities that the remap has not smoothed yet: a mode that the
+  /// transfers pass on by a share p (an eigenvalue of M^-1 S^T m S) is stable while dt^2 w^2 < 4/(2 - p), at worst half
+  /// of Irons'.
+  double step_factor() const { return When == StressUpdate::last ? std::sqrt(0.5) : 1; }
+
   template <class Scalar>
   Scalar particle_velocity(Scalar old, Scalar v, Scalar increment) const {
     const Scalar f = Scalar(flip);

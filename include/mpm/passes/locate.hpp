@@ -47,7 +47,7 @@ std::uint32_t block_of(const Body& body, std::size_t p, const Grid<S>& grid) {
   int block = 0;
   for (int d = 0; d < S::dimension; ++d)
     block += grid.cell_index(grid.coordinate(body.x(d)[p], d), d) / edge * grid.block_stride(d);
-  const auto reach = body.shape.reach(body, p);
+  const auto reach = body.shape.reach(body, p, grid);
   for (int d = 0; d < S::dimension; ++d) {
     const auto x = body.x(d)[p];
     const int row = grid.cell_index(grid.coordinate(x, d), d) / edge * edge;

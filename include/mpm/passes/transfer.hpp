@@ -14,7 +14,20 @@ class Transfer {
  public:
   using S = typename Body::SpaceType;
   using Scalar = typename S::Scalar;
-  static constexpr bool by_corners = Body::Shape::domain_motion == DomainMotion::corners;
+  using Shape = typename Body::Shape;
+  static_assert(
+      requires { Shape::template max_nodes<S>; },
+      "mpm::ShapeFunction: `max_nodes<Space>` is missing, the size of the largest stencil");
+  static_assert(
+      requires(const Body b, const Grid<S> grid, Stencil<Scalar, S::dimension, 1> out) {
+        b.shape.stencil(b, std::size_t{}, grid, out);
+      },
+      "mpm::ShapeFunction: `stencil(body, p, grid, out)` is missing, which adds the nodes of a particle with w_Ip and "
+      "grad w_Ip");
+  static_assert(
+      requires(const Body b, const Grid<S> grid) { b.shape.reach(b, std::size_t{}, grid); },
+      "mpm::ShapeFunction: `reach(body, p, grid)` is missing, by which particles are ordered for the threads");
+  static constexpr bool by_corners = Shape::domain_motion == DomainMotion::corners;
 
   void locate(Body& body, Grid<S>& grid) {
     mpm::locate(body, grid, order_);
@@ -48,6 +61,19 @@ class Transfer {
       corners_.scatter([&](std::size_t c, int I, Scalar w) { grid.mass[I] += w * corners_.mass[c]; });
     } else {
       mpm::scatter_mass(body, order_, grid);
+    }
+  }
+  /// out_I += sum_p w_Ip m_p sum_J w_Jp in_J, of fields of the grid. Takes the corners' velocity and increment for its
+  /// own use: fetch them after.
+  void scatter_interpolated(const Body& body, const Grid<S>& grid, const std::vector<Vector<S>>& in,
+                            std::vector<Vector<S>>& out) {
+    if constexpr (by_corners) {
+      corners_.gather(in, corners_.velocity);
+      corners_.for_each([&](std::size_t c) { corners_.increment[c].setZero(); });
+      mpm::scatter_interpolated(body, order_, corners_, corners_.velocity, corners_.increment);
+      corners_.scatter([&](std::size_t c, int I, Scalar w) { out[I] += w * corners_.increment[c]; });
+    } else {
+      mpm::scatter_interpolated(body, order_, grid, in, out);
     }
   }
   /// f_I += -V sigma grad w + w m b, and the pressure on the surface that corners may have.

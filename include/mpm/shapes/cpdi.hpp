@@ -41,7 +41,7 @@ struct Cpdi {
     }
   }
   template <class Body>
-  auto reach(const Body& body, std::size_t p) const {
+  auto reach(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>&) const {
     using Scalar = typename Body::Scalar;
     const auto F = body.F(p);
     const Scalar l0 = Scalar(half_size[0]);

@@ -83,7 +83,7 @@ struct CpdiQuad {
       out.add(int(quad[p][c]), Scalar(k.w[c]), {Scalar(k.gradient[c][0]), Scalar(k.gradient[c][1])});
   }
   template <class Body>
-  auto reach(const Body& body, std::size_t p) const {
+  auto reach(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>&) const {
     using Scalar = typename Body::Scalar;
     std::array<Scalar, 2> r{};
     for (std::uint32_t c : quad[p])

@@ -46,7 +46,7 @@ struct Cpgimp {
   template <class Body, class S, class Out>
   void stencil(const Body& body, std::size_t p, const Grid<S>& grid, Out& out) const {
     using Scalar = typename S::Scalar;
-    const auto r = reach(body, p);
+    const auto r = reach(body, p, grid);
     std::array<WideAxisStencil<Scalar, 5>, S::dimension> axis;
     for (int d = 0; d < S::dimension; ++d) {
       const Scalar l = std::min(r[d] * grid.inverse_cell(), Scalar(1.5));
@@ -55,7 +55,7 @@ struct Cpgimp {
     shapes::tensor_product(axis, grid, out);
   }
   template <class Body>
-  auto reach(const Body& body, std::size_t p) const {
+  auto reach(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>&) const {
     auto r = axis_stretch<Body::dimension>(body.F(p));
     for (int d = 0; d < Body::dimension; ++d) r[d] *= typename Body::Scalar(half_size[d]);
     return r;

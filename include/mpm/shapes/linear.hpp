@@ -21,7 +21,7 @@ struct Linear {
     shapes::tensor_product(axis, grid, out);
   }
   template <class Body>
-  auto reach(const Body&, std::size_t) const {
+  auto reach(const Body&, std::size_t, const Grid<typename Body::SpaceType>&) const {
     return std::array<typename Body::Scalar, Body::dimension>{};
   }
   void permute(std::span<const std::uint32_t>) {}

@@ -25,7 +25,7 @@ struct Ugimp {
     shapes::tensor_product(axis, grid, out);
   }
   template <class Body>
-  auto reach(const Body&, std::size_t) const {
+  auto reach(const Body&, std::size_t, const Grid<typename Body::SpaceType>&) const {
     std::array<typename Body::Scalar, Body::dimension> r;
     for (int d = 0; d < Body::dimension; ++d) r[d] = typename Body::Scalar(half_size[d]);
     return r;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "scene.hpp"
+#include <mpm/materials/presets.hpp>
+
+// What the step is reduced by, beside what the stiffness allows.
+namespace mpm::integrator_laws {
+namespace {
+
+/// Stable step of a uniform gas, in h/c, whose volume changes at the rate `closing` c/h.
+double step_of_gas(const BulkViscosity& viscosity, double closing) {
+  using S = PlaneStrain<>;
+  PolynomialEos law = air();
+  law.viscosity = viscosity;
+  Body<Linear, PolynomialEos> gas{"gas", {}, law};
+  fill(gas, {0, 0}, {6 * cell, 6 * cell}, cell / 2);
+  const double c = std::sqrt(law.tangent(law.initial<double>(), 1.0).longitudinal / law.density);
+  Grid<S> grid{{0, 0}, cell, {6, 6}};
+  for (std::size_t n = 0; n < grid.size(); ++n) grid.velocity[n] = closing * c / cell / 2 * grid.position(int(n));
+  return stable_step(gas, grid) * c / cell;
+}
+
+/// Von Neumann & Richtmyer's condition, 1/(sqrt(1 + x^2) + x) with x = c1 + c0 h |tr D|/c: .06 + 1.5 x .3 = .51.
+TEST(StableStep, BulkViscosityShrinksItUnderCompression) {
+  const BulkViscosity none{0, 0}, usual{1.5, .06};
+  const double plain = step_of_gas(none, -0.2);
+  EXPECT_NEAR(plain, std::sqrt(4 / (2 * (4 + 4 / 3.0))), 1e-12);  // 2/sqrt(sum of grad w^2/w): points at the quarters
+  EXPECT_NEAR(step_of_gas(usual, -0.3) / plain, 0.61254, 1e-5);
+  EXPECT_NEAR(step_of_gas({0, .06}, -0.2) / plain, 0.94180, 1e-5);
+  EXPECT_EQ(step_of_gas(usual, 0.2), plain);
+}
+
+/// A tenth of a strain a step, however soft the gas.
+TEST(StableStep, StrainIsAtMostATenth) {
+  const double rate = 5;  // c/h, of the volume: 5/sqrt 2 in the norm of D
+  EXPECT_NEAR(step_of_gas({0, 0}, -rate), 0.1 * std::sqrt(2.0) / rate, 1e-12);
+}
+
+/// Largest stress, in the starting one, over 400 steps of a single particle in the middle of a cell.
+template <class IntegratorT>
+double growth(double share_of_irons) {
+  Body<Linear, Hypoelastic, Uniaxial<>> body("particle", {}, {});
+  body.add(Vector<Uniaxial<>>(0.5), 1, Vector<Uniaxial<>>(0));
+  auto state = body.state(0);
+  state.stress.xx = 1;
+  body.store(0, state);
+  Solver<Linear, Hypoelastic, IntegratorT, Uniaxial<>> solver(Grid<Uniaxial<>>{Vector<Uniaxial<>>(0), 1, {1}}, body);
+  solver.safety = share_of_irons / solver.integrator.step_factor();
+  double largest = 0;
+  for (int k = 0; k < 400; ++k) {
+    solver.step();
+    largest = std::max(largest, std::abs(solver.body().stress(0).xx));
+  }
+  return largest;
+}
+
+/// Velocities that the remap has not smoothed halve the dt^2 that is stable: sqrt(1/2) of Irons' step.
+TEST(StableStep, UslStandsAtItsOwnFactorAndFallsBeyond) {
+  EXPECT_LT(growth<Usl>(Usl{}.step_factor()), 10);
+  EXPECT_GT(growth<Usl>(0.75), 1e4);
+  EXPECT_LT(growth<Musl>(1), 10);
+  EXPECT_LT(growth<Usf>(1), 10);
+}
+
+}  // namespace
+}  // namespace mpm::integrator_laws
