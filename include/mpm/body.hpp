@@ -38,6 +38,9 @@ class Body {
   static constexpr int stress_count = fluid ? 1 : int(SpaceT::stress_components.size());
   static constexpr int history_count = int(Law::history.size());
   static constexpr int F_count = stores_F ? int(SpaceT::gradient_components.size()) : 0;
+  static_assert(
+      requires { Shape::template bytes<SpaceT>; },
+      "mpm::ShapeFunction: `bytes<Space>` is missing, what the shape stores a particle beside the body's fields");
   static constexpr int column_count = 2 * dimension + 2 + stress_count + history_count + F_count;
   /// What one particle costs in memory, its share of the shape's own mesh included.
   static constexpr std::size_t bytes_per_particle = column_count * sizeof(Scalar) + Shape::template bytes<SpaceT>;

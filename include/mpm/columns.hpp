@@ -12,8 +12,6 @@ namespace mpm {
 template <class T, int Count>
 class Columns {
  public:
-  static constexpr int count = Count;
-
   std::size_t size() const { return size_; }
 
   /// Grows or shrinks every column; new entries are zero.
@@ -24,7 +22,6 @@ class Columns {
 
   T* operator[](int column) { return data_[column].data(); }
   const T* operator[](int column) const { return data_[column].data(); }
-  std::span<const T> span(int column) const { return {data_[column].data(), size_}; }
 
   /// Reorders every column: entry i becomes the old entry order[i]. `scratch` keeps its memory between calls.
   void permute(std::span<const std::uint32_t> order, std::vector<T>& scratch) {

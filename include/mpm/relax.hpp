@@ -18,7 +18,7 @@ struct RelaxationOptions {
 /// How a relaxation ended.
 struct RelaxationReport {
   std::int64_t steps = 0;       ///< taken
-  double unbalanced_force = 0;  ///< norm of the forces on the free nodes over that of sum abs(V sigma grad w)
+  double unbalanced_force = 0;  ///< norm of the free nodes' forces over that of sum abs(V sigma grad w), all nodes
   double kinetic_ratio = 0;     ///< kinetic energy of the nodes over the elastic energy, sum V sigma:sigma/(2 M)
 };
 
@@ -42,8 +42,9 @@ double elastic_energy_scale(SolverT& solver) {
 
 /// Steps a solver of DynamicRelaxation until it is at rest; calls `after(solver)` after each step.
 ///
-/// The test is Eq 31 of Xiao et al. 2024, Processes 12, 1048, with norms over the free nodes and against the forces
-/// that balance there. Force and motion must both be small *in the same step*:
+/// The test is Eq 31 of Xiao et al. 2024, Processes 12, 1048, with the norm of the unbalanced force over the free
+/// nodes, against that of the forces that balance, sum abs(V sigma grad w), over all nodes: a body pressed between
+/// walls needs the constrained ones to have a scale. Force and motion must both be small *in the same step*:
 ///   unbalanced_force <= tolerance   and   kinetic_ratio <= (tolerance n)^2, n the cells along the longest axis.
 /// A mode that swings with the relative amplitude e hides its force as it passes through equilibrium and its motion as
 /// it turns, but never both: its energy e^2 is their sum, and modes add up. The least force for an e is that of the

@@ -5,7 +5,8 @@
 namespace mpm {
 
 /// The nodes one particle talks to: `for (const auto& [I, w, grad] : stencil)` gives node I, w_Ip and grad w_Ip. A node
-/// may stand twice (corners of one domain in one cell); sums over the stencil are what counts.
+/// may stand twice (GIMP folded at a face, corners of a CPDI domain wider than three cells, the two ends of a segment);
+/// sums over the stencil are what counts.
 template <class Scalar, int Dimension, int MaxNodes>
 class Stencil {
  public:

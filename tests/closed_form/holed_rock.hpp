@@ -55,13 +55,19 @@ class Samples {
   std::array<std::vector<double>, 6> column_;
 };
 
-/// Gives every particle the in-plane stress of `field(x, y)`, and the out-of-plane one of plane strain.
+/// Gives every particle the in-plane stress of `field(x, y)`, and the out-of-plane one of plane strain; in the law's
+/// own state where more than the stress must agree with it.
 template <class Body, class Field>
 void set_stress(Body& body, double poisson, const Field& field) {
   for (std::size_t p = 0; p < body.size(); ++p) {
     const mpm::analysis::PlanarStress s = field(body.x(0)[p], body.x(1)[p]);
+    const mpm::SymmetricTensor<double> stress{.xx = s.xx, .yy = s.yy, .zz = poisson * (s.xx + s.yy), .xy = s.xy};
     auto state = body.state(p);
-    state.stress = {.xx = s.xx, .yy = s.yy, .zz = poisson * (s.xx + s.yy), .xy = s.xy};
+    if constexpr (requires { body.law.state_of(stress); }) {
+      state = body.law.state_of(stress);
+    } else {
+      state.stress = stress;
+    }
     body.store(p, state);
   }
 }

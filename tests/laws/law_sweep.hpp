@@ -101,19 +101,39 @@ TYPED_TEST_P(LawSweep, FrameIndifference) {
   }
 }
 
+/// Work of a closed cycle over the largest on its way, in cells of the given size.
+template <class P, class Real>
+double cycle_work(P p, const Loop<Real>& loop, Real cell) {
+  p.cell = cell;
+  double highest = 0;
+  const int steps = 2000;
+  for (int i = 1; i <= steps; ++i) {
+    p.go(loop.at(double(i) / steps));
+    highest = std::max(highest, std::abs(p.work));
+  }
+  return p.work / highest;
+}
+
+/// No law gives energy back, and one that remembers nothing takes none: a solid without history, and a fluid without
+/// bulk viscosity (in a cell of no size), whose energy is the work done on it. Of the work on the way no more may be
+/// missing than round-off and what trapezoids of 2000 steps are off, 2e-7 for the stiffest gas. A law in rate form has
+/// no potential, though: its cycle is closed to first order in the strain only, to either side.
 TYPED_TEST_P(LawSweep, AClosedCycleGivesNoEnergyBack) {
   using Real = typename TypeParam::Real;
+  using Law = typename TypeParam::Law;
+  constexpr bool has_potential = Fluid<Law> || needs_deformation_gradient<Law>;
+  constexpr bool remembers = !Fluid<Law> && Law::history.size() > 0;
+  const double slack = 1e-6 + TypeParam::round_off(200) + (has_potential ? 0 : 2 * double(TypeParam::strain()));
   Random<Real> random;
   for (int n = 0; n < 20; ++n) {
-    auto p = TypeParam::particle();
+    const auto p = TypeParam::particle();
     const Loop<Real> loop{random.tensor(TypeParam::strain()), random.tensor(TypeParam::strain() / 2)};
-    double highest = 0;
-    const int steps = 2000;
-    for (int i = 1; i <= steps; ++i) {
-      p.go(loop.at(double(i) / steps));
-      highest = std::max(highest, std::abs(p.work));
+    const double inviscid = cycle_work(p, loop, Real(0));
+    EXPECT_GE(inviscid, -slack);
+    EXPECT_GE(cycle_work(p, loop, p.cell), -slack);
+    if (!remembers) {
+      EXPECT_LE(inviscid, slack);
     }
-    EXPECT_GE(p.work, -3 * double(TypeParam::strain()) * highest);
   }
 }
 

@@ -7,11 +7,19 @@
 
 namespace mpm {
 
+namespace detail {
+template <class Face, class S>
+inline constexpr bool all_are_boundaries = false;
+template <class... F, class S>
+inline constexpr bool all_are_boundaries<std::variant<F...>, S> = (BoundaryCondition<F, S> && ...);
+}  // namespace detail
+
 /// The boundary conditions of the grid's faces, chosen at run time, visited once a face and step.
 template <Space S>
 class Box {
  public:
   using Face = std::variant<Free<S>, Rollers<S>, Fixed<S>, Traction<S>, Quiet<S>>;
+  static_assert(detail::all_are_boundaries<Face, S>, "mpm::Box: a face's alternative is no BoundaryCondition");
 
   /// Face of `axis` on `side` (0 lower, 1 upper).
   Face& face(int axis, int side) { return faces_[2 * axis + side]; }

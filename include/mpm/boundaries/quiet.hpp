@@ -5,7 +5,8 @@
 namespace mpm {
 
 /// Non-reflecting face (Lysmer & Kuhlemeyer 1969), carrying the load it held when it turned quiet:
-/// f = R0 - A [rho c_p n n + rho c_s (1 - n n)] v, solved implicitly at each node, so that it never limits the step.
+/// f = R0 - A [rho c_p n n + rho c_s (1 - n n)] v at the nodes a body has reached, solved implicitly at each, so that
+/// it never limits the step.
 ///
 /// Without the held reactions R0 a dashpot cannot carry a static load, and an in-situ stress is lost.
 template <Space S>
@@ -26,7 +27,10 @@ struct Quiet : Free<S> {
   void load(Grid<S>& grid, int axis, int side) const {
     if (reaction.empty()) return;
     std::size_t k = 0;
-    grid.for_each_on_face(axis, side, [&](int node, const auto&) { grid.increment[node] += reaction[k++]; });
+    grid.for_each_on_face(axis, side, [&](int node, const auto&) {
+      const std::size_t at = k++;
+      if (grid.mass[node] > 0) grid.increment[node] += reaction[at];
+    });
   }
   void absorb(Grid<S>& grid, int axis, int side, Scalar dt) {
     std::size_t k = 0;

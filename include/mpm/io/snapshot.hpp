@@ -21,7 +21,7 @@
 namespace mpm::io {
 
 /// Kinds of cells, by VTK's numbers.
-enum class CellType : std::uint8_t { vertex = 1, quad = 9, hexahedron = 12 };
+enum class CellType : std::uint8_t { vertex = 1, quad = 9 };
 
 /// Values of one name on the cells: 1 (scalar), 3 (vector) or 9 (tensor, row-major) numbers a cell, cell after cell.
 struct CellField {
