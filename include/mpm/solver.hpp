@@ -220,14 +220,20 @@ class Solver {
         transfer.fetch_velocity(grid);
       }
       const auto& nodes = transfer.nodes(grid);
-      const std::size_t bad = update_stress(b, nodes, strain_velocity(nodes), grid.cell(), Scalar(time), dt, partial_);
+      constexpr bool move = stress_update != StressUpdate::first && !has_corners<decltype(b)>;
+      const std::size_t bad =
+          update_stress<move>(b, nodes, strain_velocity(nodes), grid.cell(), Scalar(time), dt, partial_);
       if (bad < b.size())
         fail(b, bad, "has a volume or stress that is no longer a finite number",
              "lower `safety`, or refine the grid there");
     });
   }
+  template <class B>
+  static constexpr bool has_corners = std::remove_reference_t<B>::Shape::domain_motion == DomainMotion::corners;
+  /// Corners, and particles that have not moved as they were strained.
   void convect_particles(Scalar dt) {
     for_each_body([&](auto& b, auto& transfer) {
+      if constexpr (stress_update != StressUpdate::first && !has_corners<decltype(b)>) return;
       const auto& nodes = transfer.nodes(grid);
       if (const std::size_t p = convect(b, nodes, strain_velocity(nodes), dt); p < b.size())
         fail(b, p, "has a domain turned inside out",
