@@ -144,6 +144,9 @@ void check_charge(const Scene& s) {
   if (offset + s.charge.radius > s.hole.radius * (1 + 1e-12))
     fail(s.charge.x != 0 ? "charge.x" : "charge.y", s.charge.x != 0 ? s.charge.x : s.charge.y, "mm",
          "the charge sticks out of the hole, keep its offset plus charge.radius at most " + hole);
+  if (s.charge.detonation_velocity && s.charge.burn == Burn::constant_volume)
+    fail("charge.detonation_velocity", *s.charge.detonation_velocity, "m/s",
+         "a constant-volume burn has none, set charge.burn to programmed");
 }
 
 void check_symmetry(const Scene& s) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Everything of the framework's core; the only include a first program needs. Drivers that read scene files or write
-// snapshots include <mpm/io/...> beside it, and <mpm/analysis/...> holds exact solutions to compare with.
+// The framework's core. Beside it stand <mpm/analysis/...>: energies, exact solutions, read-outs; <mpm/geometry/...>: a
+// block with a hole; <mpm/materials/presets.hpp>; and <mpm/io/...> for drivers that read scenes or write snapshots.
+#include <mpm/relax.hpp>
 #include <mpm/solver.hpp>
 
 #include <mpm/integrators/dynamic_relaxation.hpp>

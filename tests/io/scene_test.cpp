@@ -145,6 +145,12 @@ TEST(Validate, TheChargeFitsTheHole) {
   EXPECT_EQ(invalid({"model=full", "charge.x=-3 mm", "charge.y=4 mm"}), "no error");
 }
 
+TEST(Validate, ABurnSpeedNeedsAProgrammedBurn) {
+  EXPECT_EQ(invalid({"charge.detonation_velocity=6690 m/s"}),
+            "charge.detonation_velocity = 6690 m/s: a constant-volume burn has none, set charge.burn to programmed");
+  EXPECT_EQ(invalid({"charge.detonation_velocity=6690 m/s", "charge.burn=programmed"}), "no error");
+}
+
 TEST(Validate, TheHoleFitsTheBlock) {
   EXPECT_EQ(
       invalid({"model=full", "hole.y=-3 m"}),

@@ -159,8 +159,7 @@ TEST(Pictures, ChartDrawsTheColumnsOfATable) {
 TEST(Pictures, FailureCarriesGnuplotsWords) {
   const TemporaryFolder folder;
   try {
-    if (!Gnuplot(folder / "picture.png").draw(100, 100, "plot no_such_variable\n"))
-      FAIL() << "gnuplot is not there";
+    if (!Gnuplot(folder / "picture.png").draw(100, 100, "plot no_such_variable\n")) FAIL() << "gnuplot is not there";
     FAIL() << "a script that cannot run went through";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("no_such_variable"), std::string::npos) << error.what();
