@@ -41,7 +41,7 @@ struct Case {
   int edge;
   Body<Shape, Hypoelastic> body;
   Grid<Space> grid;
-  Transfer<Body<Shape, Hypoelastic>> transfer;
+  Transfer<Body<Shape, Hypoelastic>, Usl> transfer;
 
   explicit Case(const benchmark::State& state)
       : edge(int(state.range(0))),
@@ -64,7 +64,7 @@ void scatter_momentum(benchmark::State& state) {
 template <class Shape>
 void scatter_force(benchmark::State& state) {
   Case<Shape> c(state);
-  for (auto _ : state) c.transfer.scatter_force(c.body, c.grid, Vector<Space>::Zero());
+  for (auto _ : state) c.transfer.scatter_force(c.body, c.grid, UniformBodyForce<Space>{}, 0);
   c.report(state);
 }
 template <class Shape>

@@ -6,9 +6,11 @@
 #include <mpm/relax.hpp>
 #include <mpm/solver.hpp>
 
+#include <mpm/integrators/apic.hpp>
 #include <mpm/integrators/dynamic_relaxation.hpp>
 #include <mpm/integrators/explicit.hpp>
 #include <mpm/integrators/fmpm.hpp>
+#include <mpm/integrators/full_mass_flip.hpp>
 
 #include <mpm/shapes/bspline.hpp>
 #include <mpm/shapes/cpdi.hpp>

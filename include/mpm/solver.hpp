@@ -12,17 +12,18 @@
 namespace mpm {
 
 namespace detail {
-template <class List>
+template <class List, class Integrator>
 struct TransfersOf;
-template <class... B>
-struct TransfersOf<std::tuple<B...>> {
-  using Type = std::tuple<Transfer<B>...>;
+template <class Integrator, class... B>
+struct TransfersOf<std::tuple<B...>, Integrator> {
+  using Type = std::tuple<Transfer<B, Integrator>...>;
 };
 }  // namespace detail
 
 /// The material point method: one background grid, any number of bodies, one shape function and one law a body, one
-/// time integrator. `step()` is its table of contents.
-template <class Shape, class Material, Integrator IntegratorT, Space S = PlaneStrain<>>
+/// time integrator; a body force that may differ between particles. `step()` is its table of contents.
+template <class Shape, class Material, Integrator IntegratorT, Space S = PlaneStrain<>,
+          class BodyForceT = UniformBodyForce<S>>
 class Solver {
  public:
   using Scalar = typename S::Scalar;
@@ -42,9 +43,9 @@ class Solver {
   BodyList bodies;
   IntegratorT integrator{};
   Box<S> boundary;
-  Vector<S> body_force = Vector<S>::Zero();  ///< b, m/s2
-  Scalar safety = Scalar(0.8);               ///< share of the stable step that is taken
-  double time = 0;                           ///< s
+  BodyForceT body_force{};      ///< b, m/s2
+  Scalar safety = Scalar(0.8);  ///< share of the stable step that is taken
+  double time = 0;              ///< s
   std::int64_t steps = 0;
 
   /// Takes the grid and the bodies, in the order of the columns.
@@ -120,6 +121,11 @@ class Solver {
   void for_bodies(const F& f) {
     for_each_body([&](auto& b, auto&) { f(b); });
   }
+  /// Calls f(columns) for every body with the columns that the integrator keeps for its particles, in order.
+  template <class F>
+  void for_particle_columns(const F& f) {
+    for_each_body([&](auto&, auto& transfer) { f(transfer.columns()); });
+  }
 
  private:
   template <class F>
@@ -159,7 +165,7 @@ class Solver {
     if constexpr (!IntegratorT::keeps_node_velocity) divide_by_mass(grid.velocity);
   }
   void scatter_forces() {
-    for_each_body([&](auto& b, auto& transfer) { transfer.scatter_force(b, grid, body_force); });
+    for_each_body([&](auto& b, auto& transfer) { transfer.scatter_force(b, grid, body_force, time); });
   }
   void divide_by_mass(std::vector<Vector<S>>& momentum) {
     grid.for_each_active([&](int n) {
@@ -172,6 +178,7 @@ class Solver {
       transfer.fetch_velocity(grid);
       transfer.fetch_increment(grid);
       gather_velocity(b, transfer.nodes(grid), integrator);
+      transfer.gather_columns(b, grid);
     });
   }
   void refine_nodes() {
@@ -318,7 +325,7 @@ class Solver {
     throw Error(text.str());
   }
 
-  typename detail::TransfersOf<BodyList>::Type transfers_;
+  typename detail::TransfersOf<BodyList, IntegratorT>::Type transfers_;
   std::vector<double> partial_;
   std::vector<Vector<S>> smoothed_;
   Scalar stable_ = 0;

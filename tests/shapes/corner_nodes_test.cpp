@@ -12,11 +12,12 @@ using Rock = Body<CpdiQuad, Hypoelastic>;
 
 struct CornerNodesTest : testing::Test {
   static constexpr int n = 12;
+  const UniformBodyForce<Space> weight{Vector<Space>{0, -10}};
   Rock body{"rock", {}, {}};
   Grid<Space> plain{{0, 0}, 1, {9, 9}}, fast = plain;
   std::mt19937 random{7};
   ParticleOrder order;
-  Transfer<Rock> transfer;
+  Transfer<Rock, Usl> transfer;
 
   double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
 
@@ -53,8 +54,8 @@ TEST_F(CornerNodesTest, ScattersMassAndMomentumAsThePlainFormDoes) {
 }
 
 TEST_F(CornerNodesTest, ScattersForceAsThePlainFormDoes) {
-  scatter_force(body, order, plain, Vector<Space>(0, -10));
-  transfer.scatter_force(body, fast, Vector<Space>(0, -10));
+  scatter_force(body, order, plain, weight, 0);
+  transfer.scatter_force(body, fast, weight, 0);
   expect_equal(plain.increment, fast.increment, 1e4);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/columns.hpp>
 #include <cstddef>
 #include <cstdint>
 
@@ -29,13 +30,16 @@ void add_state(StateHash& hash, const Body& body) {
   }
 }
 
-/// Hash of the whole state of a solver: its time and its bodies. Equal for equal bits only, so two runs of one binary
-/// that differ in nothing but their number of threads must agree.
+/// Hash of the whole state of a solver: its time, its bodies and what its integrator keeps for their particles. Equal
+/// for equal bits only, so two runs of one binary that differ in nothing but their number of threads must agree.
 template <class Solver>
 std::uint64_t state_hash(Solver& solver) {
   StateHash hash;
   hash.add(&solver.time, sizeof solver.time);
   solver.for_bodies([&](const auto& body) { add_state(hash, body); });
+  solver.for_particle_columns([&]<class T, int Count>(const Columns<T, Count>& columns) {
+    for (int k = 0; k < Count; ++k) hash.add(columns[k], columns.size() * sizeof(T));
+  });
   return hash.value();
 }
 

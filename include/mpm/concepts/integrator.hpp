@@ -22,7 +22,12 @@ enum class StressUpdate {
 ///     increment before they are gathered, and sets grid.strain_velocity, which then strains the particles;
 ///     `residual(field)` takes away from a nodal field what survives the way to the particles and back,
 ///     field -= M^-1 S^T m S field;
-///   - optional `step_factor()`: the share of Irons' step that is stable with this integrator, where less than 1.
+///   - optional `step_factor()`: the share of Irons' step that is stable with this integrator, where less than 1;
+///   - optional `template <class Space> static constexpr int particle_columns`, where particles carry more than x and
+///   v:
+///     so many scalars a particle, which Transfer keeps, zero at the start, and reorders with the body. With it
+///     `scatter_momentum(body, order, columns, grid, momentum)`, which takes the place of the pass of that name, and
+///     `gather_columns(body, grid, columns)`, after the particles have their new velocities; both static.
 template <class I>
 concept Integrator = requires {
   { I::stress_update } -> std::convertible_to<StressUpdate>;
@@ -32,5 +37,14 @@ concept Integrator = requires {
 &&(I::keeps_node_velocity || requires(const I integrator, double v) {
   { integrator.particle_velocity(v, v, v) } -> std::convertible_to<double>;
 });
+
+/// Scalars a particle that the integrator keeps for itself.
+template <class I, class S>
+inline constexpr int particle_columns = 0;
+template <class I, class S>
+requires requires {
+  I::template particle_columns<S>;
+}
+inline constexpr int particle_columns<I, S> = I::template particle_columns<S>;
 
 }  // namespace mpm

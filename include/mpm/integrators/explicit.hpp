@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/concepts/integrator.hpp>
-#include <mpm/grid.hpp>
+#include <mpm/passes/advance_nodes.hpp>
 #include <cmath>
 
 namespace mpm {
@@ -17,11 +17,7 @@ struct Explicit {
 
   template <class S>
   void advance(Grid<S>& grid, typename S::Scalar dt) const {
-    grid.for_each_active([&](int node) {
-      if (!(grid.mass[node] > 0)) return;
-      grid.increment[node] *= dt / grid.mass[node];
-      grid.velocity[node] += grid.increment[node];
-    });
+    advance_nodes(grid, dt);
   }
   /// Share of the stable step. USL strains with velocities that the remap has not smoothed yet: a mode that the
   /// transfers pass on by a share p (an eigenvalue of M^-1 S^T m S) is stable while dt^2 w^2 < 4/(2 - p), at worst half

@@ -2,7 +2,8 @@
 #pragma once
 #include <mpm/concepts/integrator.hpp>
 #include <mpm/error.hpp>
-#include <mpm/grid.hpp>
+#include <mpm/integrators/full_mass_series.hpp>
+#include <mpm/passes/advance_nodes.hpp>
 #include <cmath>
 
 namespace mpm {
@@ -25,30 +26,19 @@ struct Fmpm {
 
   template <class S>
   void advance(Grid<S>& grid, typename S::Scalar dt) const {
-    grid.for_each_active([&](int node) {
-      if (!(grid.mass[node] > 0)) return;
-      grid.increment[node] *= dt / grid.mass[node];
-      grid.velocity[node] += grid.increment[node];
-    });
+    advance_nodes(grid, dt);
   }
   /// v(k) into grid.velocity. Throws Error on parameters out of range.
   template <class S, class Residual>
   void refine(Grid<S>& grid, std::int64_t steps, const Residual& residual) {
-    using Scalar = typename S::Scalar;
     if (order < 1 || interval < 1 || !(strain_share >= 0 && strain_share <= 1))
       throw Error("mpm::Fmpm: order and interval must be 1 or more, and strain_share within 0 and 1");
     refined = steps % interval == 0;
-    grid.for_each_active([&](int node) { grid.strain_velocity[node] = grid.velocity[node]; });
-    if (!refined) return;
-    // The increment is free to hold the terms: these particles take the velocity itself.
-    grid.for_each_active([&](int node) { grid.increment[node] = grid.velocity[node]; });
-    for (int r = 1; r < order; ++r) {
-      residual(grid.increment);
-      grid.for_each_active([&](int node) { grid.velocity[node] += grid.increment[node]; });
+    if (refined) {
+      detail::refine_velocity(grid, order, typename S::Scalar(strain_share), residual);
+    } else {
+      grid.for_each_active([&](int node) { grid.strain_velocity[node] = grid.velocity[node]; });
     }
-    const Scalar share = Scalar(strain_share);
-    grid.for_each_active(
-        [&](int node) { grid.strain_velocity[node] += share * (grid.velocity[node] - grid.strain_velocity[node]); });
   }
   template <class Scalar>
   Scalar particle_velocity(Scalar old, Scalar v, Scalar increment) const {

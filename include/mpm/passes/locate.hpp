@@ -74,15 +74,17 @@ inline void counting_sort(ParticleOrder& order, std::size_t keys) {
 
 }  // namespace detail
 
-/// Finds the block of every particle, reorders the body if one has left its place, and marks the blocks in use.
+/// Finds the block of every particle, reorders the body if one has left its place, and marks the blocks in use. Returns
+/// whether it has reordered, by order.permutation.
 template <class Body, class S>
-void locate(Body& body, Grid<S>& grid, ParticleOrder& order) {
+bool locate(Body& body, Grid<S>& grid, ParticleOrder& order) {
   const std::size_t n = body.size();
   order.key.resize(n);
   const std::int64_t count = std::int64_t(n);
 #pragma omp parallel for schedule(static)
   for (std::int64_t p = 0; p < count; ++p) order.key[p] = detail::block_of(body, std::size_t(p), grid);
-  if (!std::is_sorted(order.key.begin(), order.key.end())) {
+  const bool reorder = !std::is_sorted(order.key.begin(), order.key.end());
+  if (reorder) {
     detail::counting_sort(order, std::size_t(grid.block_count()) + 1);
     body.permute({order.permutation.data(), n});
   }
@@ -100,6 +102,7 @@ void locate(Body& body, Grid<S>& grid, ParticleOrder& order) {
   for (std::size_t p = order.tail_begin(); p < n; ++p) {
     for (const auto& entry : make_stencil(body, p, grid)) grid.activate_node(entry.node);
   }
+  return reorder;
 }
 
 /// Calls f(p) for every particle such that no two threads touch one node: even strips at once, then odd ones, then the

@@ -65,13 +65,14 @@ Vector<S> stress_flux(const Stress& s, Scalar volume, Scalar radius, Scalar w,
 }
 
 /// f_I += -V sigma grad w + w m b.
-template <class Body, class Nodes, class S = typename Body::SpaceType>
-void scatter_force(const Body& body, const ParticleOrder& order, Nodes& nodes, const Vector<S>& body_force) {
+template <class Body, class Nodes, class Force>
+void scatter_force(const Body& body, const ParticleOrder& order, Nodes& nodes, const Force& body_force, double time) {
+  using S = typename Body::SpaceType;
   for_each_coloured(order, [&](std::size_t p) {
     const auto stencil = make_stencil(body, p, nodes);
     const auto stress = body.stress(p);
     const auto volume = body.volume()[p], radius = body.x(0)[p];
-    const Vector<S> weight = body.mass()[p] * body_force;
+    const Vector<S> weight = body.mass()[p] * body_force(body, p, time);
     for (const auto& [I, w, grad] : stencil)
       nodes.increment[I] += w * weight - stress_flux<S>(stress, volume, radius, w, grad);
   });

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/body_force.hpp>
+#include <mpm/concepts/integrator.hpp>
 #include <mpm/corner_nodes.hpp>
 #include <mpm/passes/gather.hpp>
 #include <mpm/passes/locate.hpp>
@@ -8,8 +10,8 @@
 namespace mpm {
 
 /// The passes between one body and the grid: straight, or by way of the body's own corners where its domains have them.
-/// `nodes(grid)` is what the particles talk to.
-template <class Body>
+/// `nodes(grid)` is what the particles talk to. Holds the particle columns of an integrator that has its own.
+template <class Body, class IntegratorT>
 class Transfer {
  public:
   using S = typename Body::SpaceType;
@@ -28,9 +30,11 @@ class Transfer {
       requires(const Body b, const Grid<S> grid) { b.shape.reach(b, std::size_t{}, grid); },
       "mpm::ShapeFunction: `reach(body, p, grid)` is missing, by which particles are ordered for the threads");
   static constexpr bool by_corners = Shape::domain_motion == DomainMotion::corners;
+  static constexpr int column_count = particle_columns<IntegratorT, S>;
 
   void locate(Body& body, Grid<S>& grid) {
-    mpm::locate(body, grid, order_);
+    columns_.resize(body.size());
+    if (mpm::locate(body, grid, order_)) columns_.permute({order_.permutation.data(), body.size()}, scratch_);
     if constexpr (by_corners) corners_.locate(body.shape.corner, grid);
   }
   const auto& nodes(const Grid<S>& grid) const {
@@ -43,7 +47,9 @@ class Transfer {
 
   /// m_I += w m and momentum_I += w m v, into the field of the grid that is named.
   void scatter_momentum(const Body& body, Grid<S>& grid, std::vector<Vector<S>>& momentum) {
-    if constexpr (by_corners) {
+    if constexpr (column_count > 0) {
+      IntegratorT::scatter_momentum(body, order_, columns_, grid, momentum);
+    } else if constexpr (by_corners) {
       corners_.for_each([&](std::size_t c) { corners_.mass[c] = 0, corners_.velocity[c].setZero(); });
       mpm::scatter_momentum(body, order_, corners_, corners_.velocity);
       corners_.scatter([&](std::size_t c, int I, Scalar w) {
@@ -53,6 +59,10 @@ class Transfer {
     } else {
       mpm::scatter_momentum(body, order_, grid, momentum);
     }
+  }
+  /// The integrator's own columns, from the advanced nodes.
+  void gather_columns(const Body& body, const Grid<S>& grid) {
+    if constexpr (column_count > 0) IntegratorT::gather_columns(body, grid, columns_);
   }
   /// m_I += w m.
   void scatter_mass(const Body& body, Grid<S>& grid) {
@@ -77,13 +87,14 @@ class Transfer {
     }
   }
   /// f_I += -V sigma grad w + w m b, and the pressure on the surface that corners may have.
-  void scatter_force(const Body& body, Grid<S>& grid, const Vector<S>& body_force) {
+  template <BodyForce<Body> Force>
+  void scatter_force(const Body& body, Grid<S>& grid, const Force& body_force, double time) {
     if constexpr (by_corners) {
-      mpm::scatter_force(body, order_, corners_, body_force);
+      mpm::scatter_force(body, order_, corners_, body_force, time);
       if (body.shape.pressure != 0) body.shape.load_surface(corners_.increment);
       corners_.scatter([&](std::size_t c, int I, Scalar w) { grid.increment[I] += w * corners_.increment[c]; });
     } else {
-      mpm::scatter_force(body, order_, grid, body_force);
+      mpm::scatter_force(body, order_, grid, body_force, time);
     }
   }
   /// Sum of abs(V sigma grad w) a node.
@@ -102,8 +113,12 @@ class Transfer {
     if constexpr (by_corners) corners_.gather(grid.strain_velocity, corners_.strain_velocity);
   }
 
+  const Columns<Scalar, column_count>& columns() const { return columns_; }
+
  private:
   ParticleOrder order_;
+  Columns<Scalar, column_count> columns_;
+  std::vector<Scalar> scratch_;
   std::conditional_t<by_corners, CornerNodes<S>, NodalFields<S>> corners_;
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#pragma once
 #include "scene.hpp"
 
-// What every integrator must obey with every shape, in every space.
+// What every integrator must obey with every shape, in every space: one file a space instantiates it, for the
+// compiler's sake.
 namespace mpm::integrator_laws {
 namespace {
 
@@ -11,9 +13,9 @@ class IntegratorSweep : public ::testing::Test {
   static constexpr int last_axis = T::S::dimension - 1;
   static auto solver(int length) { return block<typename T::Shape, typename T::IntegratorType, typename T::S>(length); }
 };
-TYPED_TEST_SUITE(IntegratorSweep, Combinations);
+TYPED_TEST_SUITE_P(IntegratorSweep);
 
-TYPED_TEST(IntegratorSweep, ConservesMomentum) {
+TYPED_TEST_P(IntegratorSweep, ConservesMomentum) {
   using Vec = Vector<typename TypeParam::S>;
   constexpr bool blends = requires(typename TypeParam::IntegratorType i) {
     i.flip;
@@ -39,7 +41,7 @@ TYPED_TEST(IntegratorSweep, ConservesMomentum) {
   }
 }
 
-TYPED_TEST(IntegratorSweep, ATranslationIsRigid) {
+TYPED_TEST_P(IntegratorSweep, ATranslationIsRigid) {
   auto solver = this->solver(30);
   auto& body = solver.body();
   constexpr int axis = TestFixture::last_axis;
@@ -58,7 +60,7 @@ TYPED_TEST(IntegratorSweep, ATranslationIsRigid) {
 
 /// Under a body force alone nothing is strained, the nodes' velocities are exact, and symplectic Euler falls as far as
 /// n steps of the new velocity, g dt^2 n (n + 1)/2: the work of the weight is the kinetic energy and 1/n of it.
-TYPED_TEST(IntegratorSweep, FreeFallIsExact) {
+TYPED_TEST_P(IntegratorSweep, FreeFallIsExact) {
   auto solver = this->solver(9);
   auto& body = solver.body();
   constexpr int axis = TestFixture::last_axis, n = 30;
@@ -78,8 +80,9 @@ TYPED_TEST(IntegratorSweep, FreeFallIsExact) {
   EXPECT_EQ(solver.boundary.work(), 0);
 }
 
-/// A blend of FLIP and PIC keeps the mean field and takes out of the checkerboard what the grid cannot see.
-TYPED_TEST(IntegratorSweep, PicRemovesWhatTheGridCannotSee) {
+/// A blend of FLIP and PIC keeps the mean field and takes out of the checkerboard what the grid cannot see; what keeps
+/// the particles' own velocities keeps all of it.
+TYPED_TEST_P(IntegratorSweep, PicRemovesWhatTheGridCannotSee) {
   constexpr bool blends = requires(typename TypeParam::IntegratorType i) {
     i.flip;
   };
@@ -100,12 +103,20 @@ TYPED_TEST(IntegratorSweep, PicRemovesWhatTheGridCannotSee) {
   const auto [pic, pic_energy] = after(0);
   const auto [blend, blend_energy] = after(0.3);
   const auto [flip, flip_energy] = after(1);
-  EXPECT_LT(pic_energy, 0.2);
+  const bool keeps = !blends && typename TypeParam::IntegratorType{}.particle_velocity(1.0, 0.0, 0.0) == 1;
+  if (keeps) {
+    EXPECT_NEAR(pic_energy, 1, 1e-6);
+  } else {
+    EXPECT_LT(pic_energy, 0.2);
+  }
   if (!blends) return;
   EXPECT_NEAR(flip_energy, 1, 1e-6);
   for (std::size_t p = 0; p < flip.size(); ++p)
     EXPECT_NEAR(blend.v(0)[p], 0.3 * flip.v(0)[p] + 0.7 * pic.v(0)[p], 1e-14);
 }
+
+REGISTER_TYPED_TEST_SUITE_P(IntegratorSweep, ConservesMomentum, ATranslationIsRigid, FreeFallIsExact,
+                            PicRemovesWhatTheGridCannotSee);
 
 }  // namespace
 }  // namespace mpm::integrator_laws

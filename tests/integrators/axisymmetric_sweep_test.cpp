@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#include "integrator_sweep.hpp"
+
+namespace mpm::integrator_laws {
+INSTANTIATE_TYPED_TEST_SUITE_P(Axisymmetric, IntegratorSweep, AxisymmetricCombinations);
+}  // namespace mpm::integrator_laws
