@@ -88,8 +88,9 @@ static_assert(!Integrator<IntegratorWithoutParticleVelocity> && !Integrator<Inte
 
 // Boundary condition ------------------------------------------------------------------------------------------------
 template <class S>
-constexpr bool all_boundaries = BoundaryCondition<Free<S>, S>&& BoundaryCondition<Rollers<S>, S>&&
-    BoundaryCondition<Fixed<S>, S>&& BoundaryCondition<Traction<S>, S>&& BoundaryCondition<Quiet<S>, S>;
+constexpr bool all_boundaries =
+    BoundaryCondition<Free<S>, S>&& BoundaryCondition<Rollers<S>, S>&& BoundaryCondition<Fixed<S>, S>&&
+        BoundaryCondition<Traction<S>, S>&& BoundaryCondition<Quiet<S>, S>&& BoundaryCondition<ViscousSpring<S>, S>;
 static_assert(all_boundaries<PlaneStrain<>> && all_boundaries<Uniaxial<float>> && all_boundaries<Spatial<>> &&
               all_boundaries<Radial<>> && all_boundaries<Axisymmetric<>>);
 struct BoundaryThatHidesItsWork {

@@ -3,6 +3,7 @@
 #include <mpm/boundaries/quiet.hpp>
 #include <mpm/boundaries/rollers.hpp>
 #include <mpm/boundaries/traction.hpp>
+#include <mpm/boundaries/viscous_spring.hpp>
 #include <variant>
 
 namespace mpm {
@@ -18,7 +19,7 @@ inline constexpr bool all_are_boundaries<std::variant<F...>, S> = (BoundaryCondi
 template <Space S>
 class Box {
  public:
-  using Face = std::variant<Free<S>, Rollers<S>, Fixed<S>, Traction<S>, Quiet<S>>;
+  using Face = std::variant<Free<S>, Rollers<S>, Fixed<S>, Traction<S>, Quiet<S>, ViscousSpring<S>>;
   static_assert(detail::all_are_boundaries<Face, S>, "mpm::Box: a face's alternative is no BoundaryCondition");
 
   /// Face of `axis` on `side` (0 lower, 1 upper).
