@@ -72,7 +72,10 @@ static_assert(!Material<LawThatIsNoAggregate> && !Material<LawWithoutDensity> &&
 
 // Integrator --------------------------------------------------------------------------------------------------------
 static_assert(Integrator<Usf> && Integrator<Usl> && Integrator<Musl> && Integrator<DynamicRelaxation<>> &&
-              Integrator<DynamicRelaxation<Damping::fixed>>);
+              Integrator<DynamicRelaxation<Damping::fixed>> && Integrator<Fmpm> && Integrator<FullMassFlip> &&
+              Integrator<Apic>);
+static_assert(particle_columns<Apic, Spatial<>> == 9 && particle_columns<Apic, Uniaxial<>> == 1 &&
+              particle_columns<Usl, Spatial<>> == 0);
 struct IntegratorWithoutParticleVelocity {
   static constexpr StressUpdate stress_update = StressUpdate::last;
   [[maybe_unused]] static constexpr bool keeps_node_velocity = false;
@@ -85,6 +88,17 @@ struct IntegratorWithoutStressUpdate {
 };
 static_assert(!Integrator<IntegratorWithoutParticleVelocity> && !Integrator<IntegratorWithoutStressUpdate> &&
               !Integrator<Linear>);
+
+// Body force --------------------------------------------------------------------------------------------------------
+using Rock = Body<Ugimp, Hypoelastic>;
+struct ForceWithoutTime {
+  Vector<PlaneStrain<>> operator()(const Rock&, std::size_t) const { return {0, 0}; }
+};
+struct ForceAlongOneAxis {
+  double operator()(const Rock&, std::size_t, double) const { return 0; }
+};
+static_assert(BodyForce<UniformBodyForce<PlaneStrain<>>, Rock> && !BodyForce<ForceWithoutTime, Rock> &&
+              !BodyForce<ForceAlongOneAxis, Rock>);
 
 // Boundary condition ------------------------------------------------------------------------------------------------
 template <class S>

@@ -2,6 +2,7 @@
 #pragma once
 #include <mpm/error.hpp>
 #include <mpm/geometry/holed_block.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
