@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <random>
 
-// The passes between particles and grid, one benchmark a pass and shape, on one block of elastic rock in plane strain.
+// The passes between particles and grid, one benchmark a pass and shape and its plain twin beside it, on one block of
+// elastic rock in plane strain: momentum, mass and forces to the nodes; velocity, strain and stress back.
 // items_per_second is particles a second; `bytes` is what a particle costs in memory.
 namespace {
 
@@ -56,24 +57,39 @@ struct Case {
 };
 
 template <class Shape>
-void scatter_momentum(benchmark::State& state) {
+void scatter(benchmark::State& state) {
   Case<Shape> c(state);
-  for (auto _ : state) c.transfer.scatter_momentum(c.body, c.grid, c.grid.velocity);
+  for (auto _ : state)
+    c.transfer.template scatter<What::momentum_and_forces>(c.body, c.grid, c.grid.velocity, UniformBodyForce<Space>{},
+                                                           0);
   c.report(state);
 }
 template <class Shape>
-void scatter_force(benchmark::State& state) {
+void plain_scatter(benchmark::State& state) {
   Case<Shape> c(state);
-  for (auto _ : state) c.transfer.scatter_force(c.body, c.grid, UniformBodyForce<Space>{}, 0);
+  ParticleOrder order;
+  locate(c.body, c.grid, order);
+  for (auto _ : state)
+    for_each_coloured(order, [&](std::size_t p) {
+      scatter_plainly<What::momentum_and_forces>(c.body, p, c.grid, c.grid.velocity, UniformBodyForce<Space>{}, 0);
+    });
   c.report(state);
 }
 template <class Shape>
-void gather_velocity(benchmark::State& state) {
+void update(benchmark::State& state) {
   Case<Shape> c(state);
+  for (auto _ : state) c.transfer.template update<true, Strained::by_first, true>(c.body, c.grid, Usl{}, 0, 0);
+  c.report(state);
+}
+template <class Shape>
+void plain_update(benchmark::State& state) {
+  Case<Shape> c(state);
+  constexpr bool move = Shape::domain_motion != DomainMotion::corners;
+  std::vector<double> partial;
+  std::vector<StepLimits<double>> limits;
   for (auto _ : state) {
-    c.transfer.fetch_velocity(c.grid);
-    c.transfer.fetch_increment(c.grid);
-    mpm::gather_velocity(c.body, c.transfer.nodes(c.grid), Usl{});
+    gather_velocity(c.body, c.grid, Usl{});
+    update_stress<move>(c.body, c.grid, c.grid.velocity, 1., 0., 0., partial, limits);
   }
   c.report(state);
 }
@@ -86,15 +102,20 @@ void step(benchmark::State& state) {
   c.report(state);
 }
 
-#define MPM_BENCHMARK_SHAPE(Shape)                                                                        \
-  BENCHMARK_TEMPLATE(scatter_momentum, Shape)->ArgsProduct({{100}, {2, 4}})->ArgNames({"cells", "edge"}); \
-  BENCHMARK_TEMPLATE(scatter_force, Shape)->ArgsProduct({{100}, {2, 4}})->ArgNames({"cells", "edge"});    \
-  BENCHMARK_TEMPLATE(gather_velocity, Shape)->ArgsProduct({{100}, {2, 4}})->ArgNames({"cells", "edge"});  \
-  BENCHMARK_TEMPLATE(step, Shape)->ArgsProduct({{100}, {2, 4}})->ArgNames({"cells", "edge"})
+#define MPM_BENCHMARK_PASS(pass, Shape) \
+  BENCHMARK_TEMPLATE(pass, Shape)->ArgsProduct({{100}, {2, 4, 20}})->ArgNames({"cells", "edge"})
+#define MPM_BENCHMARK_SHAPE(Shape)          \
+  MPM_BENCHMARK_PASS(plain_scatter, Shape); \
+  MPM_BENCHMARK_PASS(scatter, Shape);       \
+  MPM_BENCHMARK_PASS(plain_update, Shape);  \
+  MPM_BENCHMARK_PASS(update, Shape);        \
+  MPM_BENCHMARK_PASS(step, Shape)
 
 MPM_BENCHMARK_SHAPE(Linear);
 MPM_BENCHMARK_SHAPE(Ugimp);
 MPM_BENCHMARK_SHAPE(Cpgimp);
+MPM_BENCHMARK_SHAPE(QuadraticBspline);
+MPM_BENCHMARK_SHAPE(CubicBspline);
 MPM_BENCHMARK_SHAPE(Cpdi);
 MPM_BENCHMARK_SHAPE(CpdiQuad);
 

@@ -5,6 +5,7 @@
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/concepts/space.hpp>
 #include <mpm/error.hpp>
+#include <mpm/lanes.hpp>
 #include <mpm/spaces/plane_strain.hpp>
 #include <Eigen/Core>
 #include <array>
@@ -31,6 +32,7 @@ class Body {
   using SpaceType = SpaceT;
   using Scalar = typename SpaceT::Scalar;
   using State = typename Law::template State<Scalar>;
+  using Lane = LanesOf<Scalar>;
   static constexpr int dimension = SpaceT::dimension;
   static constexpr bool fluid = Fluid<Law>;
   static constexpr bool stores_F =
@@ -89,45 +91,54 @@ class Body {
   Vector<SpaceT> position(std::size_t p) const { return vector(p, 0); }
   Vector<SpaceT> velocity(std::size_t p) const { return vector(p, dimension); }
   /// Relative volume J = V / V0 = rho0 V / m.
-  Scalar relative_volume(std::size_t p) const { return Scalar(law.density) * volume()[p] / mass()[p]; }
+  template <class V = Scalar>
+  V relative_volume(std::size_t p) const {
+    return V(Scalar(law.density)) * load<V>(volume() + p) / load<V>(mass() + p);
+  }
   /// Edge of the cube of the particle's volume, m.
-  Scalar particle_size(std::size_t p) const {
-    const Scalar V = SpaceT::hoop ? volume()[p] / x(0)[p] : volume()[p];
-    if constexpr (dimension == 1) return V;
-    if constexpr (dimension == 2) return std::sqrt(V);
-    if constexpr (dimension == 3) return std::cbrt(V);
+  template <class V = Scalar>
+  V particle_size(std::size_t p) const {
+    V box = load<V>(volume() + p);
+    if constexpr (SpaceT::hoop) box = box / load<V>(x(0) + p);
+    if constexpr (dimension == 1) return box;
+    if constexpr (dimension == 2) return sqrt(box);
+    if constexpr (dimension == 3) return cbrt(box);
   }
 
-  /// The law's state of particle p, with the stress lifted to 3x3.
-  State state(std::size_t p) const {
-    std::array<Scalar, full_stress + history_count> all{};
-    for (int k = 0; k < stress_count; ++k) all[stress_slot(k)] = columns_[state_column + k][p];
-    for (int k = 0; k < history_count; ++k) all[full_stress + k] = history(k)[p];
-    return std::bit_cast<State>(all);
+  /// The law's state of particle p, with the stress lifted to 3x3; with lanes for V, of the particles from p on.
+  template <class V = Scalar>
+  auto state(std::size_t p) const {
+    std::array<V, full_stress + history_count> all{};
+    for (int k = 0; k < stress_count; ++k) all[stress_slot(k)] = load<V>(columns_[state_column + k] + p);
+    for (int k = 0; k < history_count; ++k) all[full_stress + k] = load<V>(history(k) + p);
+    return std::bit_cast<typename Law::template State<V>>(all);
   }
-  void store(std::size_t p, const State& s) {
-    const auto all = std::bit_cast<std::array<Scalar, full_stress + history_count>>(s);
-    for (int k = 0; k < stress_count; ++k) columns_[state_column + k][p] = all[stress_slot(k)];
-    for (int k = 0; k < history_count; ++k) history(k)[p] = all[full_stress + k];
+  void store(std::size_t p, const State& s) { store_as<Scalar>(p, s); }
+  template <class LaneState>
+  void store(std::size_t p, const LaneState& s) {
+    store_as<Lane>(p, s);
   }
   /// Cauchy stress of particle p, tension positive.
-  SymmetricTensor<Scalar> stress(std::size_t p) const {
+  template <class V = Scalar>
+  SymmetricTensor<V> stress(std::size_t p) const {
     if constexpr (fluid) {
-      return SymmetricTensor<Scalar>::spherical(-columns_[state_column][p]);
+      return SymmetricTensor<V>::spherical(-load<V>(columns_[state_column] + p));
     } else {
-      std::array<Scalar, 6> all{};
-      for (int k = 0; k < stress_count; ++k) all[stress_slot(k)] = columns_[state_column + k][p];
-      return std::bit_cast<SymmetricTensor<Scalar>>(all);
+      std::array<V, 6> all{};
+      for (int k = 0; k < stress_count; ++k) all[stress_slot(k)] = load<V>(columns_[state_column + k] + p);
+      return std::bit_cast<SymmetricTensor<V>>(all);
     }
   }
-  Tensor<Scalar> F(std::size_t p) const requires stores_F {
-    auto all = std::bit_cast<std::array<Scalar, 9>>(Tensor<Scalar>::identity());
-    for (int k = 0; k < F_count; ++k) all[SpaceT::gradient_components[k]] = columns_[F_column + k][p];
-    return std::bit_cast<Tensor<Scalar>>(all);
+  template <class V = Scalar>
+  Tensor<V> F(std::size_t p) const requires stores_F {
+    auto all = std::bit_cast<std::array<V, 9>>(Tensor<V>::identity());
+    for (int k = 0; k < F_count; ++k) all[SpaceT::gradient_components[k]] = load<V>(columns_[F_column + k] + p);
+    return std::bit_cast<Tensor<V>>(all);
   }
-  void store_F(std::size_t p, const Tensor<Scalar>& F) requires stores_F {
-    const auto all = std::bit_cast<std::array<Scalar, 9>>(F);
-    for (int k = 0; k < F_count; ++k) columns_[F_column + k][p] = all[SpaceT::gradient_components[k]];
+  void store_F(std::size_t p, const Tensor<Scalar>& F) requires stores_F { store_F_as<Scalar>(p, F); }
+  template <int N>
+  void store_F(std::size_t p, const Tensor<Lanes<Scalar, N>>& F) requires stores_F {
+    store_F_as<Lanes<Scalar, N>>(p, F);
   }
 
   /// Reorders the particles: particle i becomes the old particle order[i].
@@ -142,6 +153,17 @@ class Body {
   static constexpr int state_column = 2 * dimension + 2;
   static constexpr int F_column = state_column + stress_count + history_count;
 
+  template <class V>
+  void store_as(std::size_t p, const typename Law::template State<V>& s) {
+    const auto all = std::bit_cast<std::array<V, full_stress + history_count>>(s);
+    for (int k = 0; k < stress_count; ++k) mpm::store(all[stress_slot(k)], columns_[state_column + k] + p);
+    for (int k = 0; k < history_count; ++k) mpm::store(all[full_stress + k], history(k) + p);
+  }
+  template <class V>
+  void store_F_as(std::size_t p, const Tensor<V>& F) {
+    const auto all = std::bit_cast<std::array<V, 9>>(F);
+    for (int k = 0; k < F_count; ++k) mpm::store(all[SpaceT::gradient_components[k]], columns_[F_column + k] + p);
+  }
   void require_positive(const char* what, double value) const {
     if (value > 0 && std::isfinite(value)) return;
     std::ostringstream text;

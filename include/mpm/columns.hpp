@@ -8,7 +8,11 @@
 
 namespace mpm {
 
-/// Structure of arrays: `Count` columns of equal length, each contiguous, one scalar a particle.
+/// Particles that are worked on together, a whole number of SIMD registers in any build.
+inline constexpr int chunk_size = 16;
+
+/// Structure of arrays: `Count` columns of equal length, each contiguous, one scalar a particle. A chunk of zeros follows
+/// each, so that a whole one may be read and written anywhere.
 template <class T, int Count>
 class Columns {
  public:
@@ -16,7 +20,7 @@ class Columns {
 
   /// Grows or shrinks every column; new entries are zero.
   void resize(std::size_t size) {
-    for (auto& column : data_) column.resize(size);
+    for (int c = 0; c < Count; ++c) data_[c].resize(size + chunk_size);
     size_ = size;
   }
 
@@ -25,10 +29,10 @@ class Columns {
 
   /// Reorders every column: entry i becomes the old entry order[i]. `scratch` keeps its memory between calls.
   void permute(std::span<const std::uint32_t> order, std::vector<T>& scratch) {
-    scratch.resize(size_);
-    for (auto& column : data_) {
-      for (std::size_t i = 0; i < size_; ++i) scratch[i] = column[order[i]];
-      column.swap(scratch);
+    scratch.resize(size_ + chunk_size);
+    for (int c = 0; c < Count; ++c) {
+      for (std::size_t i = 0; i < size_; ++i) scratch[i] = data_[c][order[i]];
+      data_[c].swap(scratch);
     }
   }
 

@@ -20,20 +20,25 @@ class CornerNodes : public NodalFields<S> {
   using NodalFields<S>::increment;
   using NodalFields<S>::strain_velocity;
 
-  /// Finds the cell of every corner, and clears mass and force.
+  /// Finds the cell of every corner.
   void locate(const std::vector<std::array<double, 2>>& corner, const Grid<S>& grid) {
     const std::size_t n = corner.size();
-    mass.assign(n, 0);
-    increment.assign(n, Vector<S>::Zero());
+    std::int64_t strays = anchor_.size() != n;
+    mass.resize(n, 0);
+    increment.resize(n, Vector<S>::Zero());
     velocity.resize(n, Vector<S>::Zero());
     anchor_.resize(n);
     stride_ = grid.stride(1);
-    for_each([&](std::size_t c) {
+#pragma omp parallel for schedule(static) reduction(+ : strays)
+    for (std::int64_t k = 0; k < std::int64_t(n); ++k) {
+      const std::size_t c = std::size_t(k);
       const auto a = shapes::hat_axis(grid.coordinate(Scalar(corner[c][0]), 0), grid.cells(0));
       const auto b = shapes::hat_axis(grid.coordinate(Scalar(corner[c][1]), 1), grid.cells(1));
-      anchor_[c] = {a.first + b.first * stride_, std::uint32_t(b.first / Grid<S>::block_edge), a.w[1], b.w[1]};
-    });
-    order_by_strip(std::size_t(grid.strip_count()));
+      const auto strip = std::uint32_t(b.first / Grid<S>::block_edge);
+      strays += strip != anchor_[c].strip;
+      anchor_[c] = {a.first + b.first * stride_, strip, a.w[1], b.w[1]};
+    }
+    if (strays > 0) order_by_strip(std::size_t(grid.strip_count()));
   }
 
   /// Calls f(corner, node, weight) for the four nodes around every corner, so that no two threads touch one node and in
@@ -69,9 +74,9 @@ class CornerNodes : public NodalFields<S> {
  private:
   /// The cell of a corner: its first node, and the corner's place between the nodes, 0 to 1.
   struct Anchor {
-    int node;
-    std::uint32_t strip;
-    Scalar x, y;
+    int node = 0;
+    std::uint32_t strip = 0;
+    Scalar x = 0, y = 0;
   };
 
   template <class F>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -30,6 +31,7 @@ class Grid : public NodalFields<S> {
   using Scalar = typename S::Scalar;
   static constexpr int dimension = S::dimension;
   static constexpr int block_edge = 4;  ///< nodes or cells along the edge of a block
+  static constexpr std::uint32_t nodes_per_block = 1u << (2 * dimension);
 
   using NodalFields<S>::mass;
   using NodalFields<S>::velocity;

@@ -2,9 +2,7 @@
 #pragma once
 #include <mpm/boundaries/box.hpp>
 #include <mpm/concepts/integrator.hpp>
-#include <mpm/passes/stable_step.hpp>
 #include <mpm/passes/transfer.hpp>
-#include <mpm/passes/update_stress.hpp>
 #include <mpm/per_body.hpp>
 #include <limits>
 #include <sstream>
@@ -63,20 +61,17 @@ class Solver {
   /// One step, as long as is stable but no longer than `longest`; returns its length, s. Throws Error when a particle
   /// leaves the grid, a volume or a stress is no longer finite, or no stable step exists.
   Scalar step(double longest = std::numeric_limits<double>::max()) {
-    locate_particles();  // w_Ip, grad w_Ip; particles ordered by block
-    scatter_momentum();  // m_I = sum w m_p, v_I = sum w m_p v_p / m_I
+    locate_particles();        // particles ordered by block
+    scatter<in_first_pass>();  // m_I = sum w m_p, v_I = sum w m_p v_p / m_I
     const Scalar dt = Scalar(std::min(longest, double(stable_step())));
-    if constexpr (stress_update == StressUpdate::first) strain_first(dt);
-    scatter_forces();                                                      // f_I = sum (-V sigma grad w + w m b)
-    boundary.load(grid);                                                   // tractions, held reactions
-    boundary.constrain(grid.increment, grid);                              // walls, rollers
-    integrator.advance(grid, dt);                                          // v_I+ = v_I + dt f_I / m_I
-    boundary.absorb(grid, dt);                                             // dashpots
-    if constexpr (refines) refine_nodes();                                 // v_I+ sharpened
-    if constexpr (!IntegratorT::keeps_node_velocity) gather_velocities();  // v_p += sum w (v_I+ - v_I)
-    if constexpr (stress_update == StressUpdate::modified_last) remap_momentum();
-    if constexpr (stress_update != StressUpdate::first) strain(dt);  // L = sum v_I (x) grad w, sigma, V
-    convect_particles(dt);                                           // x_p, domains
+    if constexpr (stress_update == StressUpdate::first) strain_first(dt);  // sigma before the forces it makes
+    boundary.load(grid);                       // f_I = sum (-V sigma grad w + w m b) + tractions, held reactions
+    boundary.constrain(grid.increment, grid);  // walls, rollers
+    integrator.advance(grid, dt);              // v_I+ = v_I + dt f_I / m_I
+    boundary.absorb(grid, dt);                 // dashpots
+    if constexpr (refines) refine_nodes();     // v_I+ sharpened
+    gather(dt);                                // v_p += sum w (v_I+ - v_I); L = sum v_I (x) grad w, sigma, V; x_p
+    convect_corners(dt);                       // CPDI2 domains ride the nodes
     time += dt;
     ++steps;
     return dt;
@@ -97,8 +92,7 @@ class Solver {
   /// Nodal forces -V sigma grad w + w m b of the present state in grid.increment, boundaries not included.
   void internal_forces() {
     locate_particles();
-    scatter_momentum();
-    scatter_forces();
+    scatter<IntegratorT::keeps_node_velocity ? What::mass_and_forces : What::momentum_and_forces>();
   }
   /// Makes every quiet face carry the load that keeps the present state at rest.
   void hold_quiet_faces() {
@@ -153,33 +147,25 @@ class Solver {
       grid.increment[n].setZero();
     });
   }
-  /// m_I and v_I (kept from the last step by an integrator that keeps node velocities).
-  void scatter_momentum() {
+  /// What the first pass from the particles gives to the nodes: forces with it, unless the stress is yet to change.
+  static constexpr What in_first_pass = IntegratorT::keeps_node_velocity       ? What::mass_and_forces
+                                        : stress_update == StressUpdate::first ? What::momentum
+                                                                               : What::momentum_and_forces;
+  /// m_I, v_I (kept from the last step by an integrator that keeps node velocities), f_I.
+  template <What what>
+  void scatter() {
     for_each_body([&](auto& b, auto& transfer) {
-      if constexpr (IntegratorT::keeps_node_velocity) {
-        transfer.scatter_mass(b, grid);
-      } else {
-        transfer.scatter_momentum(b, grid, grid.velocity);
-      }
+      const std::size_t bad = transfer.template scatter<what>(b, grid, grid.velocity, body_force, time);
+      if (bad < b.size())
+        fail(b, bad, "has a stress that is no finite number", "lower `safety`, or look at the parameters of its law");
     });
-    if constexpr (!IntegratorT::keeps_node_velocity) divide_by_mass(grid.velocity);
-  }
-  void scatter_forces() {
-    for_each_body([&](auto& b, auto& transfer) { transfer.scatter_force(b, grid, body_force, time); });
+    if constexpr (gives_momentum<what>) divide_by_mass(grid.velocity);
   }
   void divide_by_mass(std::vector<Vector<S>>& momentum) {
     grid.for_each_active([&](int n) {
       if (grid.mass[n] > 0) momentum[n] /= grid.mass[n];
     });
     boundary.constrain(momentum, grid);
-  }
-  void gather_velocities() {
-    for_each_body([&](auto& b, auto& transfer) {
-      transfer.fetch_velocity(grid);
-      transfer.fetch_increment(grid);
-      gather_velocity(b, transfer.nodes(grid), integrator);
-      transfer.gather_columns(b, grid);
-    });
   }
   void refine_nodes() {
     integrator.refine(grid, steps, [&](std::vector<Vector<S>>& field) { subtract_smoothed(field); });
@@ -194,55 +180,54 @@ class Solver {
   /// MUSL: the particles' new momenta, back on the nodes.
   void remap_momentum() {
     grid.for_each_active([&](int n) { grid.mass[n] = 0, grid.strain_velocity[n].setZero(); });
-    for_each_body([&](auto& b, auto& transfer) { transfer.scatter_momentum(b, grid, grid.strain_velocity); });
+    for_each_body([&](auto& b, auto& transfer) {
+      transfer.template scatter<What::momentum>(b, grid, grid.strain_velocity, body_force, time);
+    });
     divide_by_mass(grid.strain_velocity);
   }
+  static constexpr bool blends = !IntegratorT::keeps_node_velocity;
+  /// Particles are strained, and corners moved, by a field of their own: the remapped one (MUSL), or the one an
+  /// integrator that refines has made. Otherwise by the nodes' velocity, which is v_I before they are advanced and v_I+
+  /// after.
   static constexpr bool own_strain_velocity = stress_update == StressUpdate::modified_last || refines;
-  /// The field that strains particles and moves corners: the remapped one (MUSL), the one an integrator that refines
-  /// has made, or the nodes' own, which is v_I before they are advanced and v_I+ after.
-  template <class Nodes>
-  static const auto& strain_velocity(const Nodes& nodes) {
-    if constexpr (own_strain_velocity) {
-      return nodes.strain_velocity;
-    } else {
-      return nodes.velocity;
-    }
-  }
+
   /// Strains with the velocities before the forces act. Domains that follow F have then changed: the nodes are gathered
   /// anew, since mass and force must see one set of weights, or momentum is lost.
   void strain_first(Scalar dt) {
-    strain(dt);
+    update<false, Strained::by_first, false>(dt);
     bool domains_changed = false;
     for_each_body(
         [&]<class B>(B&, auto&) { domains_changed |= B::Shape::domain_motion == DomainMotion::deformation_gradient; });
-    if (!domains_changed) return;
+    if (!domains_changed) return scatter<What::forces>();
     locate_particles();
-    scatter_momentum();
+    scatter<What::momentum_and_forces>();
   }
-  void strain(Scalar dt) {
+  /// The particles' way back. One pass does it all, unless the velocities must be known before the strain (MUSL, and
+  /// integrators that refine), or the strain before the forces (USF).
+  void gather(Scalar dt) {
+    if constexpr (stress_update == StressUpdate::first) {
+      update<blends, Strained::none, true>(dt);
+    } else if constexpr (own_strain_velocity) {
+      update<blends, Strained::none, false>(dt);
+      if constexpr (stress_update == StressUpdate::modified_last) remap_momentum();
+      update<false, Strained::by_second, true>(dt);
+    } else {
+      update<blends, Strained::by_first, true>(dt);
+    }
+  }
+  template <bool Blend, Strained strained, bool Move>
+  void update(Scalar dt) {
     for_each_body([&](auto& b, auto& transfer) {
-      if constexpr (own_strain_velocity) {
-        transfer.fetch_strain_velocity(grid);
-      } else {
-        transfer.fetch_velocity(grid);
-      }
-      const auto& nodes = transfer.nodes(grid);
-      constexpr bool move = stress_update != StressUpdate::first && !has_corners<decltype(b)>;
-      const std::size_t bad =
-          update_stress<move>(b, nodes, strain_velocity(nodes), grid.cell(), Scalar(time), dt, partial_);
+      const std::size_t bad = transfer.template update<Blend, strained, Move>(b, grid, integrator, Scalar(time), dt);
       if (bad < b.size())
         fail(b, bad, "has a volume or stress that is no longer a finite number",
              "lower `safety`, or refine the grid there");
     });
   }
-  template <class B>
-  static constexpr bool has_corners = std::remove_reference_t<B>::Shape::domain_motion == DomainMotion::corners;
-  /// Corners, and particles that have not moved as they were strained.
-  void convect_particles(Scalar dt) {
+  void convect_corners(Scalar dt) {
     for_each_body([&](auto& b, auto& transfer) {
-      if constexpr (stress_update != StressUpdate::first && !has_corners<decltype(b)>) return;
-      const auto& nodes = transfer.nodes(grid);
-      if (const std::size_t p = convect(b, nodes, strain_velocity(nodes), dt); p < b.size())
+      constexpr Strained strained = own_strain_velocity ? Strained::by_second : Strained::by_first;
+      if (const std::size_t p = transfer.template convect<strained>(b, dt); p < b.size())
         fail(b, p, "has a domain turned inside out",
              "refine the grid there, lower `safety`, or take a shape that cannot invert, such as mpm::Cpdi");
     });
@@ -250,7 +235,7 @@ class Solver {
   Scalar stable_step() {
     if (steps % IntegratorT::step_interval == 0) {
       stable_ = std::numeric_limits<Scalar>::max();
-      for_each_body([&](auto& b, auto&) { stable_ = std::min(stable_, mpm::stable_step(b, grid)); });
+      for_each_body([&](auto& b, auto& transfer) { stable_ = std::min(stable_, transfer.stable_step(b, grid)); });
       if (!(stable_ > 0)) {
         for_each_body([&](auto& b, auto&) { blame(b); });
         throw Error("no particle allows a stable step, in step " + std::to_string(steps));
@@ -288,12 +273,21 @@ class Solver {
   /// First particle that no step can start from, or size().
   template <class B>
   std::size_t first_unfit(const B& b) const {
+    using V = typename B::Lane;
+    const Scalar margin = grid.cell() / 2;
     std::int64_t bad = std::int64_t(b.size());
 #pragma omp parallel for schedule(static) reduction(min : bad)
-    for (std::int64_t p = 0; p < std::int64_t(b.size()); ++p) {
-      bool fit = b.volume()[p] > 0 && !outside(b, std::size_t(p));
-      for (int d = 0; d < S::dimension; ++d) fit = fit && std::isfinite(b.v(d)[p]);
-      if (!fit) bad = std::min(bad, p);
+    for (std::int64_t first = 0; first < std::int64_t(b.size()); first += V::size) {
+      const std::size_t p = std::size_t(first);
+      auto fit = V::load(b.volume() + p) > V(0);
+      for (int d = 0; d < S::dimension; ++d) {
+        const V x = V::load(b.x(d) + p);
+        fit = fit && x >= V(grid.origin()[d] - margin) && x <= V(grid.upper(d) + margin) &&
+              V(0) * V::load(b.v(d) + p) <= V(0);
+      }
+      if (any(!fit))
+        for (int k = 0; k < V::size && p + std::size_t(k) < b.size(); ++k)
+          if (!fit.v[k]) bad = std::min(bad, first + k);
     }
     return std::size_t(bad);
   }
@@ -309,8 +303,6 @@ class Solver {
   void blame(const B& b) const {
     for (std::size_t p = 0; p < b.size(); ++p) {
       const auto moduli = b.law.tangent(b.state(p), b.relative_volume(p));
-      if (!std::isfinite(trace(b.stress(p)) + equivalent_stress(b.stress(p))))
-        fail(b, p, "has a stress that is no finite number", "lower `safety`, or look at the parameters of its law");
       if (!std::isfinite(moduli.longitudinal + moduli.shear) || !(moduli.longitudinal >= 0))
         fail(b, p, "allows no stable step, since its stiffness is no finite positive number",
              "look at its stress in the last snapshot, and lower `safety`");
@@ -326,7 +318,6 @@ class Solver {
   }
 
   typename detail::TransfersOf<BodyList, IntegratorT>::Type transfers_;
-  std::vector<double> partial_;
   std::vector<Vector<S>> smoothed_;
   Scalar stable_ = 0;
 };

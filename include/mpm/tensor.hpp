@@ -29,6 +29,7 @@ constexpr double min(double a, double b) {
   return a < b ? a : b;
 }
 using std::abs;
+using std::cbrt;
 using std::exp;
 using std::log;
 using std::pow;

@@ -26,8 +26,8 @@ struct Explicit {
 
   template <class Scalar>
   Scalar particle_velocity(Scalar old, Scalar v, Scalar increment) const {
-    const Scalar f = Scalar(flip);
-    return f * (old + increment) + (1 - f) * v;
+    const Scalar f(flip);
+    return f * (old + increment) + (Scalar(1) - f) * v;
   }
 };
 

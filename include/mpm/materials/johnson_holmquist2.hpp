@@ -84,28 +84,37 @@ struct JohnsonHolmquist2 {
            SymmetricTensor<V>::spherical(pressure(V(1) / step.J - V(1)) + bulking);
   }
 
+  /// What the strength is at least, Pa, without a power: x^N is above the smaller of x and 1 while N <= 1, and rate and
+  /// fractured strength only add.
+  template <class V>
+  V certain_strength(const V& reach, const V& damage) const {
+    return N <= 1 && C >= 0 ? V(A * sigma_hel) * (V(1) - damage) * min(reach, V(1)) : V(0);
+  }
+
   /// Brings `trial` back to the strength, updates damage and bulking, sets the stress. Returns the factor that the
   /// deviator was scaled by: 1 where the step was elastic.
   template <class V>
   V return_to_strength(State<V>& s, const SymmetricTensor<V>& trial, const Increment<V>& step) const {
     const V one(1), P = max(trace(trial) * V(-1.0 / 3), V(-tensile_pressure) * (one - s.damage));
-    const auto D = deviator(symmetric(step.L));
-    const V rate = sqrt(V(2.0 / 3) * inner(D, D));
-    const V rate_factor = one + V(C) * log(max(rate, V(reference_rate)) * V(1 / reference_rate));
     const V reach = max((P + V(tensile_pressure)) * V(1 / p_hel), V(0));
-    const V intact = V(A) * pow(reach, V(N)) * rate_factor;
-    const V fractured = min(V(B) * pow(max(P * V(1 / p_hel), V(0)), V(M)) * rate_factor, V(smax_fracture));
-    const auto strength = [&](const V& damage) {
-      return max(intact - damage * (intact - fractured), V(0)) * V(sigma_hel);
-    };
-
-    const V q = equivalent_stress(trial), y = strength(s.damage);
-    const V plastic = max(q - y, V(0)) * V(1 / (3 * shear()));
-    const V to_fracture = max(V(D1) * pow(reach, V(D2)), V(1e-6));  // the floor breaks at once where P = -T
-    const V damage = min(one, s.damage + plastic / to_fracture);
+    const V q = equivalent_stress(trial);
+    V y = q, left = q, damage = s.damage;
+    // Most rock is far from yield: powers are worked out only where the strength may matter.
+    if (any(q > certain_strength(reach, s.damage))) {
+      const auto D = deviator(symmetric(step.L));
+      const V rate = sqrt(V(2.0 / 3) * inner(D, D));
+      const V rate_factor = one + V(C) * log(max(rate, V(reference_rate)) * V(1 / reference_rate));
+      const V intact = V(A) * pow(reach, V(N)) * rate_factor;
+      const V fractured = min(V(B) * pow(max(P * V(1 / p_hel), V(0)), V(M)) * rate_factor, V(smax_fracture));
+      const auto strength = [&](const V& d) { return max(intact - d * (intact - fractured), V(0)) * V(sigma_hel); };
+      y = strength(s.damage);
+      const V plastic = max(q - y, V(0)) * V(1 / (3 * shear()));
+      const V to_fracture = max(V(D1) * pow(reach, V(D2)), V(1e-6));  // the floor breaks at once where P = -T
+      damage = min(one, s.damage + plastic / to_fracture);
+      left = strength(damage);
+    }
 
     const V mu = V(1) / step.J - one, elastic = V(K1) * max(mu, V(0));
-    const V left = strength(damage);
     const V factor = select(q > left, left / max(q, V(1e-30)), one);
     const V lost = max(y * y - left * left, V(0)) * V(1 / (6 * shear()));
     const V bulked = sqrt((elastic + s.bulking) * (elastic + s.bulking) + V(2 * beta * K1) * lost) - elastic;

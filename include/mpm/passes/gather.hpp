@@ -33,34 +33,15 @@ Tensor<typename S::Scalar> velocity_gradient(const Out& stencil, const std::vect
 
 /// v_p from the nodes, as the integrator blends the increment (FLIP) and the velocity itself (PIC).
 template <class Body, class Nodes, class Integrator>
-void gather_velocity(Body& body, const Nodes& nodes, const Integrator& integrator) {
+void gather_velocity(Body& body, std::size_t p, const Nodes& nodes, const Integrator& integrator) {
   using S = typename Body::SpaceType;
-  for_each_particle(body, [&](std::size_t p) {
-    const auto stencil = make_stencil(body, p, nodes);
-    const Vector<S> increment = interpolate<S>(stencil, nodes.increment), v = interpolate<S>(stencil, nodes.velocity);
-    for (int d = 0; d < S::dimension; ++d)
-      body.v(d)[p] = integrator.particle_velocity(body.v(d)[p], v[d], increment[d]);
-  });
+  const auto stencil = make_stencil(body, p, nodes);
+  const Vector<S> increment = interpolate<S>(stencil, nodes.increment), v = interpolate<S>(stencil, nodes.velocity);
+  for (int d = 0; d < S::dimension; ++d) body.v(d)[p] = integrator.particle_velocity(body.v(d)[p], v[d], increment[d]);
 }
-
-/// Positions and domains ride the nodes: x_p += dt sum w_Ip v_I, corners with the field that strains the particles.
-/// Returns the first particle whose domain has inverted, or body.size().
-template <class Body, class Nodes, class S = typename Body::SpaceType>
-std::size_t convect(Body& body, const Nodes& nodes, const std::vector<Vector<S>>& strain_velocity,
-                    typename S::Scalar dt) {
-  if constexpr (Body::Shape::domain_motion == DomainMotion::corners) {
-    static_assert(
-        requires { body.shape.convect(body, strain_velocity, dt); },
-        "mpm::ShapeFunction: domain_motion is `corners`, so the shape must have the member convect(body, velocity, "
-        "dt), which moves its domains");
-    return body.shape.convect(body, strain_velocity, dt);
-  } else {
-    for_each_particle(body, [&](std::size_t p) {
-      const Vector<S> v = interpolate<S>(make_stencil(body, p, nodes), nodes.velocity);
-      for (int d = 0; d < S::dimension; ++d) body.x(d)[p] += dt * v[d];
-    });
-    return body.size();
-  }
+template <class Body, class Nodes, class Integrator>
+void gather_velocity(Body& body, const Nodes& nodes, const Integrator& integrator) {
+  for_each_particle(body, [&](std::size_t p) { gather_velocity(body, p, nodes, integrator); });
 }
 
 }  // namespace mpm

@@ -2,18 +2,24 @@
 #pragma once
 #include <mpm/corner_nodes.hpp>
 #include <mpm/grid.hpp>
+#include <mpm/shapes/modes.hpp>
 #include <mpm/stencil.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <vector>
 
 namespace mpm {
 
-/// Where the particles of one body stand: ordered by block of the grid, the blocks by strip (a layer of blocks across
-/// the last axis), those whose domains pass their strip's neighbourhood last.
+/// Where the particles of one body stand: ordered by strip (a layer of blocks across the last axis of the grid), within
+/// it by block and anchor node, so that neighbours share their stencils; those whose stencils pass their strip's
+/// neighbourhood last.
+///
+/// The order is renewed when it must be, not each step: a particle keeps its place while its stencil lies within two
+/// rows of its strip, since strips of one colour are a strip apart.
 struct ParticleOrder {
-  std::vector<std::uint32_t> key;          ///< block of each particle; one past the last block for the wide ones
+  std::vector<std::uint32_t> key;          ///< block and anchor within it; one past the last for the wide ones
   std::vector<std::size_t> strip_begin;    ///< first particle of each strip, and of the tail at the end
   std::vector<std::uint32_t> permutation;  ///< work arrays of the counting sort
   std::vector<std::uint32_t> next;
@@ -38,84 +44,187 @@ auto make_stencil(const Body& body, std::size_t p, const CornerNodes<S>&) {
 
 namespace detail {
 
-/// Block of particle p, or block_count if its stencil could touch nodes beyond those of its strip plus one row below
-/// and two above: strips of one colour are a strip apart, so such a particle would break the colouring.
-template <class Body, class S>
-std::uint32_t block_of(const Body& body, std::size_t p, const Grid<S>& grid) {
-  constexpr int edge = Grid<S>::block_edge;
-  constexpr int last = S::dimension - 1;
-  int block = 0;
-  for (int d = 0; d < S::dimension; ++d)
-    block += grid.cell_index(grid.coordinate(body.x(d)[p], d), d) / edge * grid.block_stride(d);
-  const auto reach = body.shape.reach(body, p, grid);
-  for (int d = 0; d < S::dimension; ++d) {
-    const auto x = body.x(d)[p];
-    const int row = grid.cell_index(grid.coordinate(x, d), d) / edge * edge;
-    const int low = int(grid.coordinate(x - reach[d], d));
-    const int high = int(grid.coordinate(x + reach[d], d)) + 1;
-    if ((d == last && (low < row - 1 || high > row + edge + 1)) || low < row - edge || high > row + 2 * edge - 1)
-      return std::uint32_t(grid.block_count());
+/// A stencil of a fixed number of nodes along each axis.
+template <class Shape>
+concept has_fixed_stencil = Shape::domain_motion == DomainMotion::rigid&& requires {
+  Shape::axis_nodes;
+};
+
+/// Cells by which domains may drift before they are looked at again: corners are not looked at each step.
+template <class Shape>
+inline constexpr double slack = Shape::domain_motion == DomainMotion::corners ? 0.25 : 0;
+
+/// Where one particle stands in the grid.
+struct Place {
+  std::uint32_t key = 0;  ///< block, and anchor within it: the nearest node for stencils of three nodes, else the lower
+  int low = 0, high = 0;  ///< rows of its stencil along the last axis
+  bool near = true;       ///< its stencil lies in its own block and the ones beside it
+
+  /// Whether it may be worked on with strip s: strips of one colour then share no row.
+  template <class S>
+  bool fits(int s) const {
+    return near && low >= s * Grid<S>::block_edge - 2 && high <= (s + 1) * Grid<S>::block_edge + 1;
   }
-  return std::uint32_t(block);
+};
+
+template <class Body, class S>
+Place place_of(const Body& body, std::size_t p, const Grid<S>& grid) {
+  using Scalar = typename S::Scalar;
+  using Shape = typename Body::Shape;
+  constexpr int edge = Grid<S>::block_edge;
+  int block = 0, inner = 0;
+  Place place;
+  std::array<Scalar, S::dimension> reach{};
+  if constexpr (!has_fixed_stencil<Shape>) {
+    reach = body.shape.reach(body, p, grid);
+    for (Scalar& r : reach) r += Scalar(slack<Shape>) * grid.cell();
+  }
+  for (int d = S::dimension - 1; d >= 0; --d) {
+    const Scalar x = body.x(d)[p], xi = grid.coordinate(x, d);
+    int anchor = grid.cell_index(xi, d), low, high;
+    if constexpr (requires { requires Shape::axis_nodes == 3; }) anchor = int(xi + Scalar(0.5));
+    if constexpr (has_fixed_stencil<Shape>) {
+      low = anchor - shapes::nodes_before<Shape::axis_nodes>, high = low + Shape::axis_nodes - 1;
+    } else {
+      low = int(grid.coordinate(x - reach[d], d)), high = int(grid.coordinate(x + reach[d], d)) + 1;
+    }
+    if (d == S::dimension - 1) place.low = low, place.high = high;
+    block += anchor / edge * grid.block_stride(d);
+    inner = inner * edge + anchor % edge;
+    const int row = anchor / edge * edge;
+    place.near = place.near && low >= row - edge && high <= row + 2 * edge - 1;
+  }
+  place.key = std::uint32_t(block) * grid.nodes_per_block + std::uint32_t(inner);
+  return place;
 }
 
-inline void counting_sort(ParticleOrder& order, std::size_t keys) {
-  const std::size_t n = order.key.size();
-  order.next.assign(keys + 1, 0);
+/// place_of for a register of particles at once: the keys from begin to end. Returns how many do not fit strip `strip`.
+template <class Body, class S>
+std::int64_t find_fixed_places(const Body& body, const Grid<S>& grid, std::uint32_t* key, std::size_t begin,
+                               std::size_t end, int strip) {
+  using V = typename Body::Lane;
+  using Integers = typename V::Integers;
+  constexpr int K = Body::Shape::axis_nodes, edge = Grid<S>::block_edge, last = S::dimension - 1;
+  static_assert(edge == 4);
+  const int lowest = strip * edge - 2 + shapes::nodes_before<K>;
+  const int highest = (strip + 1) * edge + 1 - (K - 1 - shapes::nodes_before<K>);
+  std::int64_t lost = 0;
+  for (std::size_t p = begin; p < end; p += V::size) {
+    const int valid = int(std::min<std::size_t>(V::size, end - p));
+    Integers block{}, inner{}, row{};
+    for (int d = last; d >= 0; --d) {
+      const V xi =
+          max(V(0), min(V(grid.cells(d)), (V::load(body.x(d) + p) - V(grid.origin()[d])) * V(grid.inverse_cell())));
+      Integers anchor = K == 3 ? truncated(xi + V(0.5)) : shapes::cell_of(xi, grid.cells(d));
+      if (d == last) row = anchor;
+      block += (anchor >> 2) * grid.block_stride(d);
+      inner = inner * edge + (anchor & 3);
+    }
+    const Integers found = block * int(grid.nodes_per_block) + inner;
+    for (int k = 0; k < valid; ++k) {
+      key[p + std::size_t(k)] = std::uint32_t(found[k]);
+      lost += row[k] < lowest || row[k] > highest;
+    }
+  }
+  return lost;
+}
+
+/// Keys of all particles at their present places. Returns whether they must be ordered anew: one has left its strip's
+/// neighbourhood, or so many their cell that stencils are hardly shared any more.
+template <class Body, class S>
+bool find_places(const Body& body, const Grid<S>& grid, ParticleOrder& order) {
+  const std::int64_t strips = std::int64_t(order.strip_begin.size()) - 1;
+  std::int64_t lost = 0, out_of_order = 0;
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : lost, out_of_order)
+  for (std::int64_t s = 0; s < strips; ++s) {
+    const std::size_t begin = order.strip_begin[std::size_t(s)], end = order.strip_begin[std::size_t(s) + 1];
+    if constexpr (has_fixed_stencil<typename Body::Shape>) {
+      lost += find_fixed_places(body, grid, order.key.data(), begin, end, int(s));
+    } else {
+      for (std::size_t p = begin; p < end; ++p) {
+        const Place place = place_of(body, p, grid);
+        lost += !place.template fits<S>(int(s));
+        order.key[p] = place.key;
+      }
+    }
+    for (std::size_t p = begin + 1; p < end; ++p) out_of_order += order.key[p] < order.key[p - 1];
+  }
+  return lost > 0 || out_of_order > std::int64_t(body.size() / 16);
+}
+
+/// Stable counting sort of the particles by key.
+template <class Body, class S>
+void sort_particles(Body& body, const Grid<S>& grid, ParticleOrder& order) {
+  const std::size_t n = body.size();
+  const std::uint32_t wide = std::uint32_t(grid.block_count()) * grid.nodes_per_block;
+  order.key.resize(n);
+  const std::int64_t count = std::int64_t(n);
+#pragma omp parallel for schedule(static)
+  for (std::int64_t p = 0; p < count; ++p) {
+    const Place place = place_of(body, std::size_t(p), grid);
+    const int strip = int(place.key / grid.nodes_per_block) / grid.blocks_per_strip();
+    order.key[std::size_t(p)] = place.template fits<S>(strip) ? place.key : wide;
+  }
+  order.next.assign(std::size_t(wide) + 2, 0);
   for (std::uint32_t k : order.key) ++order.next[k + 1];
   std::partial_sum(order.next.begin(), order.next.end(), order.next.begin());
+  for (std::size_t s = 0; s < order.strip_begin.size(); ++s)
+    order.strip_begin[s] =
+        order.next[std::min(std::uint32_t(s) * std::uint32_t(grid.blocks_per_strip()) * grid.nodes_per_block, wide)];
   order.permutation.resize(n);
   for (std::uint32_t p = 0; p < n; ++p) order.permutation[order.next[order.key[p]]++] = p;
-  std::vector<std::uint32_t>& sorted = order.next;
-  sorted.resize(std::max(n, keys + 1));
-  for (std::size_t i = 0; i < n; ++i) sorted[i] = order.key[order.permutation[i]];
-  std::copy_n(sorted.begin(), n, order.key.begin());
+  order.next.resize(std::max(n, order.next.size()));
+  for (std::size_t i = 0; i < n; ++i) order.next[i] = order.key[order.permutation[i]];
+  std::copy_n(order.next.begin(), n, order.key.begin());
+  body.permute({order.permutation.data(), n});
 }
 
 }  // namespace detail
 
-/// Finds the block of every particle, reorders the body if one has left its place, and marks the blocks in use. Returns
-/// whether it has reordered, by order.permutation.
+/// Finds the place of every particle unless all are `settled`, reorders the body where needed, and marks the blocks in
+/// use. Returns whether it was reordered, by order.permutation.
 template <class Body, class S>
-bool locate(Body& body, Grid<S>& grid, ParticleOrder& order) {
+bool locate(Body& body, Grid<S>& grid, ParticleOrder& order, bool settled = false) {
   const std::size_t n = body.size();
-  order.key.resize(n);
-  const std::int64_t count = std::int64_t(n);
-#pragma omp parallel for schedule(static)
-  for (std::int64_t p = 0; p < count; ++p) order.key[p] = detail::block_of(body, std::size_t(p), grid);
-  const bool reorder = !std::is_sorted(order.key.begin(), order.key.end());
-  if (reorder) {
-    detail::counting_sort(order, std::size_t(grid.block_count()) + 1);
-    body.permute({order.permutation.data(), n});
-  }
-  const auto per_strip = std::uint32_t(grid.blocks_per_strip());
-  order.strip_begin.resize(std::size_t(grid.strip_count()) + 1);
-  auto from = order.key.begin();
-  for (std::size_t s = 0; s < order.strip_begin.size(); ++s) {
-    from = std::lower_bound(from, order.key.end(), std::uint32_t(s) * per_strip);
-    order.strip_begin[s] = std::size_t(from - order.key.begin());
-  }
-  for (auto k = order.key.begin(), end = order.key.begin() + std::ptrdiff_t(order.tail_begin()); k != end;) {
-    grid.activate_around(int(*k));
-    k = std::upper_bound(k, end, *k);
+  const bool known = order.key.size() == n && order.strip_begin.size() == std::size_t(grid.strip_count()) + 1;
+  if (!known) order.strip_begin.assign(std::size_t(grid.strip_count()) + 1, 0);
+  const bool sort = !known || (!settled && detail::find_places(body, grid, order));
+  if (sort) detail::sort_particles(body, grid, order);
+  std::uint32_t last = std::uint32_t(-1);
+  for (std::size_t p = 0; p < order.tail_begin(); ++p) {
+    const std::uint32_t block = order.key[p] / grid.nodes_per_block;
+    if (block != last) grid.activate_around(int(block));
+    last = block;
   }
   for (std::size_t p = order.tail_begin(); p < n; ++p) {
     for (const auto& entry : make_stencil(body, p, grid)) grid.activate_node(entry.node);
   }
-  return reorder;
+  return sort;
 }
 
-/// Calls f(p) for every particle such that no two threads touch one node: even strips at once, then odd ones, then the
-/// wide particles one by one. Within a strip the order is fixed, so sums have the same bits at any thread count.
+/// Calls f(begin, end) for the particles of every strip such that no two threads touch one node: even strips at once,
+/// then odd ones. The order is fixed, so sums have the same bits at any thread count. Returns the least of what f
+/// returns.
 template <class F>
-void for_each_coloured(const ParticleOrder& order, const F& f) {
+std::size_t for_each_strip(const ParticleOrder& order, const F& f) {
   const int strips = int(order.strip_begin.size()) - 1;
-#pragma omp parallel
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+#pragma omp parallel reduction(min : least)
   for (int colour = 0; colour < 2; ++colour) {
 #pragma omp for schedule(dynamic, 1)
     for (int s = colour; s < strips; s += 2)
-      for (std::size_t p = order.strip_begin[s]; p < order.strip_begin[s + 1]; ++p) f(p);
+      least = std::min(least, f(order.strip_begin[std::size_t(s)], order.strip_begin[std::size_t(s) + 1]));
   }
+  return least;
+}
+
+/// Calls f(p) for every particle, strip by strip, then for the wide particles one by one.
+template <class F>
+void for_each_coloured(const ParticleOrder& order, const F& f) {
+  for_each_strip(order, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) f(p);
+    return end;
+  });
   for (std::size_t p = order.tail_begin(); p < order.key.size(); ++p) f(p);
 }
 

@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <mpm/passes/gather.hpp>
+#include <mpm/passes/chunk.hpp>
+#include <mpm/passes/update_stress.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+// The largest step that is stable.
 namespace mpm {
+
+/// Share of a particle below which a node is left out of Irons' bound: 1e-9, and no less than round-off leaves right.
+template <class Scalar>
+inline constexpr Scalar negligible_weight = std::max(Scalar(1e-9), 16 * std::numeric_limits<Scalar>::epsilon());
 
 /// Eigenvalues of G_p = sum_I grad w_I (x) grad w_I / w_I, 1/m2: how stiff the grid is to one particle.
 ///
-/// A node that stands twice in a stencil counts as two, which can only overestimate it. One whose weight is below 1e-9
-/// of the particle is left out: its share of the bound is the small-mass limit of the linear shape. A negative weight,
-/// of a concave quadrilateral, counts by its size.
+/// A node that stands twice in a stencil counts as two, which can only overestimate it. One of negligible weight is
+/// left out: its share of the bound is the small-mass limit of the linear shape. A negative weight, of a concave
+/// quadrilateral, counts by its size.
 template <class S, class Out>
 std::array<typename S::Scalar, S::dimension> grid_stiffness(const Out& stencil) {
   using Scalar = typename S::Scalar;
   constexpr int dimension = S::dimension;
   Scalar G[dimension][dimension] = {};
   for (const auto& [I, w, grad] : stencil) {
-    if (std::abs(w) < Scalar(1e-9)) continue;
+    if (std::abs(w) < negligible_weight<Scalar>) continue;
     const Scalar inverse = 1 / std::abs(w);
     for (int i = 0; i < dimension; ++i)
       for (int j = 0; j < dimension; ++j) G[i][j] += grad[i] * grad[j] * inverse;
@@ -70,6 +76,102 @@ typename S::Scalar stable_step(const Body& body, const Grid<S>& grid) {
     dt = std::min(dt, Scalar(0.1) / std::max(gradient, std::numeric_limits<Scalar>::min()));
     for (int d = 0; d < S::dimension; ++d)
       dt = std::min(dt, grid.cell() / 2 / std::max(std::abs(body.v(d)[p]), std::numeric_limits<Scalar>::min()));
+    limit = std::min(limit, std::isfinite(dt) ? dt : Scalar(0));
+  }
+  return limit;
+}
+
+namespace detail {
+
+/// What the stencils of a chunk of particles make of moduli: the largest of max(2 max b, sum b), which goes with the
+/// shear modulus, and of sum b, which goes with lambda, 1/m2; see irons_step.
+template <class Scalar>
+struct GridStiffness {
+  Scalar shear = 0, lambda = 0;
+
+  template <class S>
+  void raise(const std::array<Scalar, S::dimension>& b, Scalar radius) {
+    Scalar sum = 0, largest = 0;
+    for (Scalar k : b) sum += k, largest = std::max(largest, k);
+    if constexpr (S::hoop) sum += 1 / (radius * radius), largest = std::max(largest, 1 / (radius * radius));
+    shear = std::max(shear, S::dimension == 1 ? 2 * largest : std::max(2 * largest, sum));
+    lambda = std::max(lambda, sum);
+  }
+};
+
+/// sum w'^2/w of one axis, 1/cell^2, from its modes.
+template <class V, int K>
+V axis_stiffness(const AxisModes<V, K>& m) {
+  const V least(negligible_weight<typename V::Scalar>);
+  const auto part = [&](const V& w, const V& d) { return select(w > least, d * d / max(w, least), V(0)); };
+  V sum(0), weight(0), slope(0);
+  for (std::size_t k = 0; k < m.weight.size(); ++k) {
+    sum += part(m.weight[k], m.slope[k]);
+    weight += m.weight[k], slope += m.slope[k];
+  }
+  return K == 2 ? sum : sum + slope * slope / (V(1) - weight);  // the anchor's
+}
+
+/// Stiffness of the grid to a chunk of particles, from their modes, or from their stencils where modes do not serve.
+template <class Body, class S, class Scalar = typename S::Scalar>
+GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int count, const Grid<S>& grid) {
+  GridStiffness<Scalar> stiffness;
+  const auto plainly = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+      stiffness.template raise<S>(grid_stiffness<S>(make_stencil(body, p, grid)), body.x(0)[p]);
+  };
+  if constexpr (HasModes<Body>) {
+    using V = typename Body::Lane;
+    constexpr int K = Body::Shape::axis_nodes;
+    const Scalar per_square = grid.inverse_cell() * grid.inverse_cell();
+    for (int l = 0; l < count; l += V::size) {
+      const std::size_t p = first + std::size_t(l);
+      const int size = std::min(V::size, count - l);
+      std::array<AxisModes<V, K>, S::dimension> modes;
+      bool fit = body.shape.modes(body, p, grid, coordinates(body, p, grid), modes);
+      if constexpr (continues_linearly<typename Body::Shape>)
+        for (int d = 0; d < S::dimension; ++d)
+          for (int k = 0; k < size; ++k) {
+            const int low = modes[std::size_t(d)].anchor[k] - shapes::nodes_before<K>;
+            fit = fit && low >= 0 && low + K - 1 <= grid.cells(d);
+          }
+      if (!fit) {
+        plainly(p, p + std::size_t(size));
+        continue;
+      }
+      std::array<V, S::dimension> b;
+      for (int d = 0; d < S::dimension; ++d)
+        b[std::size_t(d)] = V(per_square) * axis_stiffness<V, K>(modes[std::size_t(d)]);
+      for (int k = 0; k < size; ++k) {
+        std::array<Scalar, S::dimension> one;
+        for (std::size_t d = 0; d < one.size(); ++d) one[d] = b[d][k];
+        stiffness.template raise<S>(one, body.x(0)[p + std::size_t(k)]);
+      }
+    }
+  } else {
+    plainly(first, first + std::size_t(count));
+  }
+  return stiffness;
+}
+
+}  // namespace detail
+
+/// The same from the limits that the last step left for every chunk of the body, and the stiffness of the grid to each,
+/// `stiffness(c, first, count)`. Moduli, rates and speeds are those at the end of the last step, the largest of a
+/// chunk.
+template <class Body, class Scalar, class Stiffness>
+Scalar stable_step(const Body& body, const std::vector<StepLimits<Scalar>>& limits, Scalar cell,
+                   const Stiffness& stiffness) {
+  Scalar limit = std::numeric_limits<Scalar>::max();
+  const std::int64_t chunks = std::int64_t(limits.size());
+#pragma omp parallel for schedule(static) reduction(min : limit)
+  for (std::int64_t c = 0; c < chunks; ++c) {
+    const std::size_t first = std::size_t(c) * chunk_size, end = std::min(first + chunk_size, body.size());
+    const StepLimits<Scalar>& l = limits[std::size_t(c)];
+    const auto b = stiffness(std::size_t(c), first, int(end - first));
+    constexpr Scalar tiny = std::numeric_limits<Scalar>::min();
+    Scalar dt = 2 / std::sqrt(l.shear * b.shear + l.lambda * b.lambda);
+    dt = std::min({dt, Scalar(0.1) / std::sqrt(std::max(l.rate, tiny)), cell / 2 / std::max(l.speed, tiny)});
     limit = std::min(limit, std::isfinite(dt) ? dt : Scalar(0));
   }
   return limit;

@@ -3,9 +3,8 @@
 #include <mpm/body_force.hpp>
 #include <mpm/concepts/integrator.hpp>
 #include <mpm/corner_nodes.hpp>
-#include <mpm/passes/gather.hpp>
-#include <mpm/passes/locate.hpp>
-#include <mpm/passes/scatter.hpp>
+#include <mpm/passes/corner_lanes.hpp>
+#include <mpm/passes/stable_step.hpp>
 
 namespace mpm {
 
@@ -31,10 +30,21 @@ class Transfer {
       "mpm::ShapeFunction: `reach(body, p, grid)` is missing, by which particles are ordered for the threads");
   static constexpr bool by_corners = Shape::domain_motion == DomainMotion::corners;
   static constexpr int column_count = particle_columns<IntegratorT, S>;
+  /// Fast passes for shapes in modes, and for corners; the plain ones for all others.
+  static constexpr bool in_modes = HasModes<Body>;
+  static constexpr bool corners_in_lanes = by_corners && std::is_same_v<Scalar, double>;
 
+  /// Orders the particles and marks the blocks in use. Domains with corners keep their places while no corner has moved
+  /// by as much as their strips leave room for.
   void locate(Body& body, Grid<S>& grid) {
     columns_.resize(body.size());
-    if (mpm::locate(body, grid, order_)) columns_.permute({order_.permutation.data(), body.size()}, scratch_);
+    const bool settled =
+        by_corners && limits_.size() == chunk_count(body) && strayed_ < Scalar(detail::slack<Shape>) * grid.cell();
+    if (!settled) strayed_ = 0;
+    if (mpm::locate(body, grid, order_, settled)) {
+      columns_.permute({order_.permutation.data(), body.size()}, scratch_);
+      limits_.clear();
+    }
     if constexpr (by_corners) corners_.locate(body.shape.corner, grid);
   }
   const auto& nodes(const Grid<S>& grid) const {
@@ -45,36 +55,81 @@ class Transfer {
     }
   }
 
-  /// m_I += w m and momentum_I += w m v, into the field of the grid that is named.
-  void scatter_momentum(const Body& body, Grid<S>& grid, std::vector<Vector<S>>& momentum) {
-    if constexpr (column_count > 0) {
+  /// Gives mass, momentum or forces of the particles to the grid, and the pressure on the surface that corners may
+  /// have: m_I += w m, momentum_I += w m v, f_I += -V sigma grad w + w m b.
+  template <What what, BodyForce<Body> Force>
+  std::size_t scatter(const Body& body, Grid<S>& grid, std::vector<Vector<S>>& momentum, const Force& body_force,
+                      double time) {
+    if constexpr (column_count > 0 && gives_momentum<what>) {
       IntegratorT::scatter_momentum(body, order_, columns_, grid, momentum);
+      if constexpr (gives_forces<what>) {
+        return scatter<What::forces>(body, grid, momentum, body_force, time);
+      } else {
+        return body.size();
+      }
     } else if constexpr (by_corners) {
-      corners_.for_each([&](std::size_t c) { corners_.mass[c] = 0, corners_.velocity[c].setZero(); });
-      mpm::scatter_momentum(body, order_, corners_, corners_.velocity);
-      corners_.scatter([&](std::size_t c, int I, Scalar w) {
-        grid.mass[I] += w * corners_.mass[c];
-        momentum[I] += w * corners_.velocity[c];
-      });
+      return scatter_by_corners<what>(body, grid, momentum, body_force, time);
     } else {
-      mpm::scatter_momentum(body, order_, grid, momentum);
+      return scatter_to<what>(body, grid, momentum, body_force, time);
     }
   }
-  /// The integrator's own columns, from the advanced nodes.
-  void gather_columns(const Body& body, const Grid<S>& grid) {
-    if constexpr (column_count > 0) IntegratorT::gather_columns(body, grid, columns_);
-  }
-  /// m_I += w m.
-  void scatter_mass(const Body& body, Grid<S>& grid) {
+  /// The way back: velocities from the nodes as the integrator blends them (`Blend`), strain and stress, and positions
+  /// (`Move`). Corners, and velocities of nodes that are not asked for, stay. Returns the first particle whose volume
+  /// or stress is no longer a finite positive number, or body.size().
+  template <bool Blend, Strained strained, bool Move>
+  std::size_t update(Body& body, const Grid<S>& grid, const IntegratorT& integrator, Scalar time, Scalar dt) {
+    constexpr bool second = Blend || strained == Strained::by_second;
+    if constexpr (column_count > 0 && Blend) IntegratorT::gather_columns(body, grid, columns_);
+    const auto& own = nodes(grid);
     if constexpr (by_corners) {
-      mpm::scatter_mass(body, order_, corners_);
-      corners_.scatter([&](std::size_t c, int I, Scalar w) { grid.mass[I] += w * corners_.mass[c]; });
+      corners_.gather(grid.velocity, corners_.velocity);
+      if constexpr (Blend) corners_.gather(grid.increment, corners_.increment);
+      if constexpr (strained == Strained::by_second) corners_.gather(grid.strain_velocity, corners_.strain_velocity);
+    }
+    const auto& other = !second ? own.velocity : Blend ? own.increment : own.strain_velocity;
+    std::size_t bad = body.size();
+    if constexpr (corners_in_lanes) {
+      bad = lanes::update<Blend, strained>(body, corners_, own.velocity, other, grid.cell(), integrator, time, dt,
+                                           partial_, limits_);
+    } else if constexpr (in_modes) {
+      bad = lanes::update<Blend, strained, Move>(body, grid, own.velocity, other, integrator, time, dt, partial_,
+                                                 limits_);
     } else {
-      mpm::scatter_mass(body, order_, grid);
+      if constexpr (Blend) gather_velocity(body, own, integrator);
+      if constexpr (strained != Strained::none) {
+        bad = update_stress < Move &&
+              !by_corners > (body, own, strained == Strained::by_first ? own.velocity : own.strain_velocity,
+                             grid.cell(), time, dt, partial_, limits_);
+      } else if constexpr (Move && !by_corners) {
+        limits_.resize(chunk_count(body));
+        for_each_chunk(body, [&](std::size_t first, int count) {
+          StepLimits<Scalar>& limit = limits_[first / chunk_size];
+          limit.speed = 0;
+          for (std::size_t p = first; p < first + std::size_t(count); ++p)
+            ride<S>(body, p, make_stencil(body, p, own), own, dt, limit);
+        });
+      }
+    }
+    if constexpr (Move && !in_modes) note_motion(grid, dt);
+    return bad;
+  }
+  /// Corners ride the nodes, with the field that strained the particles. Returns the first particle whose domain has
+  /// inverted, or body.size().
+  template <Strained strained>
+  std::size_t convect(Body& body, Scalar dt) {
+    if constexpr (by_corners) {
+      static_assert(
+          requires { body.shape.convect(body, corners_.velocity, dt); },
+          "mpm::ShapeFunction: domain_motion is `corners`, so the shape must have the member convect(body, velocity, "
+          "dt), which moves its domains");
+      return body.shape.convect(body, strained == Strained::by_second ? corners_.strain_velocity : corners_.velocity,
+                                dt);
+    } else {
+      return body.size();
     }
   }
   /// out_I += sum_p w_Ip m_p sum_J w_Jp in_J, of fields of the grid. Takes the corners' velocity and increment for its
-  /// own use: fetch them after.
+  /// own use.
   void scatter_interpolated(const Body& body, const Grid<S>& grid, const std::vector<Vector<S>>& in,
                             std::vector<Vector<S>>& out) {
     if constexpr (by_corners) {
@@ -86,40 +141,95 @@ class Transfer {
       mpm::scatter_interpolated(body, order_, grid, in, out);
     }
   }
-  /// f_I += -V sigma grad w + w m b, and the pressure on the surface that corners may have.
-  template <BodyForce<Body> Force>
-  void scatter_force(const Body& body, Grid<S>& grid, const Force& body_force, double time) {
-    if constexpr (by_corners) {
-      mpm::scatter_force(body, order_, corners_, body_force, time);
-      if (body.shape.pressure != 0) body.shape.load_surface(corners_.increment);
-      corners_.scatter([&](std::size_t c, int I, Scalar w) { grid.increment[I] += w * corners_.increment[c]; });
-    } else {
-      mpm::scatter_force(body, order_, grid, body_force, time);
-    }
-  }
   /// Sum of abs(V sigma grad w) a node.
   void scatter_force_scale(const Body& body, const Grid<S>& grid, std::vector<Scalar>& scale) const {
     mpm::scatter_force_scale(body, order_, grid, scale);
   }
 
-  /// Brings fields of the grid to what the particles talk to.
-  void fetch_velocity(const Grid<S>& grid) {
-    if constexpr (by_corners) corners_.gather(grid.velocity, corners_.velocity);
-  }
-  void fetch_increment(const Grid<S>& grid) {
-    if constexpr (by_corners) corners_.gather(grid.increment, corners_.increment);
-  }
-  void fetch_strain_velocity(const Grid<S>& grid) {
-    if constexpr (by_corners) corners_.gather(grid.strain_velocity, corners_.strain_velocity);
+  /// The largest stable step of the body. Domains that move with the particles keep the stiffness of their stencils
+  /// while they have moved by less than a fiftieth of a cell: CPDI weights have no kinks that would make it jump.
+  Scalar stable_step(const Body& body, const Grid<S>& grid) {
+    if (IntegratorT::step_interval > 1 || limits_.size() != chunk_count(body)) {
+      motion_.clear();
+      return mpm::stable_step(body, grid);
+    }
+    if constexpr (in_modes) {
+      return mpm::stable_step(body, limits_, grid.cell(), [&](std::size_t, std::size_t first, int count) {
+        return detail::chunk_stiffness(body, first, count, grid);
+      });
+    } else {
+      motion_.resize(limits_.size(), std::numeric_limits<Scalar>::max());
+      stiffness_.resize(limits_.size());
+      return mpm::stable_step(body, limits_, grid.cell(), [&](std::size_t c, std::size_t first, int count) {
+        if (motion_[c] > grid.cell() / 50) {
+          stiffness_[c] = detail::chunk_stiffness(body, first, count, grid);
+          motion_[c] = 0;
+        }
+        return stiffness_[c];
+      });
+    }
   }
 
   const Columns<Scalar, column_count>& columns() const { return columns_; }
 
  private:
+  /// How far domains may have moved or stretched in this step.
+  void note_motion(const Grid<S>& grid, Scalar dt) {
+    Scalar farthest = 0;
+    for (std::size_t c = 0; c < limits_.size(); ++c) {
+      const Scalar motion = dt * (limits_[c].speed + grid.cell() * std::sqrt(limits_[c].rate));
+      if (c < motion_.size()) motion_[c] += motion;
+      farthest = std::max(farthest, motion);
+    }
+    strayed_ += farthest;
+  }
+  template <What what, class Nodes, class Force>
+  std::size_t scatter_to(const Body& body, Nodes& own, std::vector<Vector<S>>& momentum, const Force& body_force,
+                         double time) {
+    if constexpr (corners_in_lanes || in_modes) {
+      std::size_t bad = lanes::scatter<what>(body, order_, own, momentum, body_force, time);
+      for (std::size_t p = order_.tail_begin(); p < body.size(); ++p)
+        bad = std::min(bad, scatter_plainly<what>(body, p, own, momentum, body_force, time));
+      return bad;
+    } else {
+      const auto give = [&](std::size_t p) { return scatter_plainly<what>(body, p, own, momentum, body_force, time); };
+      std::size_t bad = for_each_strip(order_, [&](std::size_t begin, std::size_t end) {
+        std::size_t least = body.size();
+        for (std::size_t p = begin; p < end; ++p) least = std::min(least, give(p));
+        return least;
+      });
+      for (std::size_t p = order_.tail_begin(); p < body.size(); ++p) bad = std::min(bad, give(p));
+      return bad;
+    }
+  }
+  template <What what, class Force>
+  std::size_t scatter_by_corners(const Body& body, Grid<S>& grid, std::vector<Vector<S>>& momentum,
+                                 const Force& body_force, double time) {
+    corners_.for_each([&](std::size_t c) {
+      if constexpr (gives_mass<what>) corners_.mass[c] = 0;
+      if constexpr (gives_momentum<what>) corners_.velocity[c].setZero();
+      if constexpr (gives_forces<what>) corners_.increment[c].setZero();
+    });
+    const std::size_t bad = scatter_to<what>(body, corners_, corners_.velocity, body_force, time);
+    if constexpr (gives_forces<what>)
+      if (body.shape.pressure != 0) body.shape.load_surface(corners_.increment);
+    corners_.scatter([&](std::size_t c, int I, Scalar w) {
+      if constexpr (gives_mass<what>) grid.mass[I] += w * corners_.mass[c];
+      if constexpr (gives_momentum<what>) momentum[I] += w * corners_.velocity[c];
+      if constexpr (gives_forces<what>) grid.increment[I] += w * corners_.increment[c];
+    });
+    return bad;
+  }
+
   ParticleOrder order_;
   Columns<Scalar, column_count> columns_;
   std::vector<Scalar> scratch_;
   std::conditional_t<by_corners, CornerNodes<S>, NodalFields<S>> corners_;
+  std::vector<double> partial_;
+  std::vector<StepLimits<Scalar>> limits_;                ///< of every chunk, empty where they are not known
+  std::vector<detail::GridStiffness<Scalar>> stiffness_;  ///< of every chunk
+  std::vector<Scalar> motion_;                            ///< of every chunk since then, m
+  Scalar strayed_ = 0;                                    ///< largest motion since the places were found, m
 };
 
 }  // namespace mpm

@@ -2,8 +2,129 @@
 #pragma once
 #include <mpm/passes/gather.hpp>
 #include <cmath>
+#include <limits>
 
 namespace mpm {
+
+/// Which nodal field strains the particles: the nodes' velocity, which is the first that a pass reads, or the one
+/// after.
+enum class Strained { none, by_first, by_second };
+
+/// What limits the next step of a chunk of particles: the largest of each.
+template <class Scalar>
+struct StepLimits {
+  Scalar lambda = 0, shear = 0;  ///< moduli over the density and over the squared factor of the viscosity, m2/s2
+  Scalar rate = 0;               ///< squared norm of the rate of deformation, 1/s2
+  Scalar speed = 0;              ///< component of the velocity that moves them, m/s
+
+  /// Raises `limit` to `value`; what is no number stays to be found.
+  static void raise(Scalar& limit, Scalar value) { limit = value <= limit ? limit : value; }
+};
+
+/// A particle rides the nodes: x_p += dt sum w_Ip v_I.
+template <class S, class Body, class Out, class Nodes, class Scalar = typename S::Scalar>
+void ride(Body& body, std::size_t p, const Out& stencil, const Nodes& nodes, Scalar dt, StepLimits<Scalar>& limits) {
+  const Vector<S> v = interpolate<S>(stencil, nodes.velocity);
+  for (int d = 0; d < S::dimension; ++d) {
+    body.x(d)[p] += dt * v[d];
+    limits.raise(limits.speed, std::abs(v[d]));
+  }
+}
+
+/// Strains particle p, or with lanes for V those from p on, of which `valid` are meant, with the velocity gradient L
+/// over `dt`: volume (and F) follow, and the law gives the stress. Returns the work V sigma : D dt, lowers `bad` to the
+/// first whose volume or stress is no longer a finite positive number, and raises `limits`.
+template <class V, class Body, class Scalar = typename Body::Scalar>
+[[gnu::always_inline]] inline double strain(Body& body, std::size_t p, int valid, const Tensor<V>& L, Scalar cell,
+                                            Scalar time, Scalar dt, std::int64_t& bad, StepLimits<Scalar>& limits) {
+  const auto motion = Tensor<V>::identity() + V(dt) * L;
+  const V growth = determinant(motion), old_volume = load<V>(body.volume() + p), new_volume = old_volume * growth;
+  Increment<V> step{.L = L, .dt = V(dt), .time = V(time + dt), .size = body.template particle_size<V>(p)};
+  step.cell = V(cell);
+  step.J_old = body.template relative_volume<V>(p);
+  step.J = step.J_old * growth;
+  if constexpr (Body::stores_F) {
+    step.F = motion * body.template F<V>(p);
+    body.store_F(p, step.F);
+  }
+  auto state = body.template state<V>(p);
+  const auto old_stress = body.template stress<V>(p);
+  body.law.update(state, step);
+  body.store(p, state);
+  if constexpr (Body::Shape::domain_motion != DomainMotion::corners) store(new_volume, body.volume() + p);
+  const auto D = symmetric(L);
+  const auto mean = V(0.5) * (old_stress + body.template stress<V>(p));
+  const V work = V(0.5) * (old_volume + new_volume) * inner(mean, D) * V(dt);
+
+  const auto moduli = body.law.tangent(state, step.J);
+  V specific = new_volume / load<V>(body.mass() + p);
+  if constexpr (requires { body.law.viscosity; }) {
+    const V factor = body.law.viscosity.step_factor(sqrt(moduli.longitudinal * specific), trace(L), V(cell));
+    specific = specific / (factor * factor);
+  }
+  const V lambda = max(moduli.longitudinal - V(2) * moduli.shear, V(0)) * specific, shear = moduli.shear * specific;
+  const V rate = inner(D, D);
+  if (valid >= lane_count<V> && !any(!(new_volume > V(0)) || !(V(0) * work <= V(0)))) {  // as a rule
+    limits.raise(limits.lambda, largest(lambda));
+    limits.raise(limits.shear, largest(shear));
+    limits.raise(limits.rate, largest(rate));
+    return double(total(work));
+  }
+  double sum = 0;
+  for (int k = 0; k < std::min(valid, lane_count<V>); ++k) {
+    if (!(lane(new_volume, k) > 0) || !std::isfinite(lane(work, k))) bad = std::min(bad, std::int64_t(p) + k);
+    sum += double(lane(work, k));
+    limits.raise(limits.lambda, lane(lambda, k));
+    limits.raise(limits.shear, lane(shear, k));
+    limits.raise(limits.rate, lane(rate, k));
+  }
+  return sum;
+}
+
+template <class Body>
+std::size_t chunk_count(const Body& body) {
+  return (body.size() + chunk_size - 1) / chunk_size;
+}
+/// Calls f(first, count) for every chunk of a body, in parallel.
+template <class Body, class F>
+void for_each_chunk(const Body& body, const F& f) {
+  const std::int64_t chunks = std::int64_t(chunk_count(body));
+#pragma omp parallel for schedule(static)
+  for (std::int64_t c = 0; c < chunks; ++c) {
+    const std::size_t first = std::size_t(c) * chunk_size;
+    f(first, int(std::min<std::size_t>(chunk_size, body.size() - first)));
+  }
+}
+/// Calls f(first, count, bad) for every chunk of a body; it returns the work done and lowers `bad` to a particle whose
+/// state is no longer sound. The work is added to the body's in a fixed order. Returns the first bad particle, or
+/// body.size().
+template <class Body, class F>
+std::size_t sum_work(Body& body, std::vector<double>& partial, const F& f) {
+  partial.resize(chunk_count(body));
+  std::int64_t bad = std::int64_t(body.size());
+#pragma omp parallel for schedule(static) reduction(min : bad)
+  for (std::int64_t c = 0; c < std::int64_t(partial.size()); ++c) {
+    const std::size_t first = std::size_t(c) * chunk_size;
+    partial[std::size_t(c)] = f(first, int(std::min<std::size_t>(chunk_size, body.size() - first)), bad);
+  }
+  double work = 0;
+  for (double w : partial) work += w;
+  body.stress_work += work;
+  return std::size_t(bad);
+}
+
+/// Strains one particle with the nodal velocities; see update_stress.
+template <bool Move, class Body, class Nodes, class S = typename Body::SpaceType, class Scalar = typename S::Scalar>
+double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::vector<Vector<S>>& velocity, Scalar cell,
+                     Scalar time, Scalar dt, std::int64_t& bad, StepLimits<Scalar>& limits) {
+  const auto stencil = make_stencil(body, p, nodes);
+  const auto L = velocity_gradient<S>(stencil, velocity, body.x(0)[p]);
+  const double work = strain(body, p, 1, L, cell, time, dt, bad, limits);
+  if constexpr (Move) {
+    ride<S>(body, p, stencil, nodes, dt, limits);
+  }
+  return work;
+}
 
 /// Strains every particle with the nodal velocities, moves its volume (and F) along, and calls the law.
 ///
@@ -11,52 +132,21 @@ namespace mpm {
 /// of its new domain may rest on nodes that hold next to nothing.
 ///
 /// In MUSL `velocity` is the remapped field. The work V sigma : D dt is added up in a fixed order. Returns the first
-/// particle whose volume or stress is no longer a finite positive number, or body.size().
-template <bool Move, class Body, class Nodes, class S = typename Body::SpaceType>
-std::size_t update_stress(Body& body, const Nodes& nodes, const std::vector<Vector<S>>& velocity,
-                          typename S::Scalar cell, typename S::Scalar time, typename S::Scalar dt,
-                          std::vector<double>& partial) {
-  using Scalar = typename S::Scalar;
-  constexpr std::int64_t chunk = 256;
-  const std::int64_t count = std::int64_t(body.size()), chunks = (count + chunk - 1) / chunk;
-  partial.resize(std::size_t(chunks));
-  std::int64_t bad = count;
-#pragma omp parallel for schedule(static) reduction(min : bad)
-  for (std::int64_t c = 0; c < chunks; ++c) {
-    double work = 0;
-    for (std::int64_t q = c * chunk; q < std::min(count, (c + 1) * chunk); ++q) {
-      const std::size_t p = std::size_t(q);
-      const auto stencil = make_stencil(body, p, nodes);
-      const auto L = velocity_gradient<S>(stencil, velocity, body.x(0)[p]);
-      const auto step = Tensor<Scalar>::identity() + dt * L;
-      const Scalar old_volume = body.volume()[p], new_volume = old_volume * determinant(step);
-      Increment<Scalar> increment{.L = L, .dt = dt, .time = time + dt, .size = body.particle_size(p), .cell = cell};
-      increment.J_old = body.relative_volume(p);
-      increment.J = increment.J_old * determinant(step);
-      if constexpr (Body::stores_F) {
-        increment.F = step * body.F(p);
-        body.store_F(p, increment.F);
-      }
-      auto state = body.state(p);
-      const auto old_stress = body.stress(p);
-      body.law.update(state, increment);
-      body.store(p, state);
-      if constexpr (Body::Shape::domain_motion != DomainMotion::corners) body.volume()[p] = new_volume;
-      const auto mean = Scalar(0.5) * (old_stress + body.stress(p));
-      const Scalar w = Scalar(0.5) * (old_volume + new_volume) * inner(mean, symmetric(L)) * dt;
-      if (!(new_volume > 0) || !std::isfinite(w)) bad = std::min(bad, q);
-      work += double(w);
-      if constexpr (Move) {
-        const Vector<S> v = interpolate<S>(stencil, nodes.velocity);
-        for (int d = 0; d < S::dimension; ++d) body.x(d)[p] += dt * v[d];
-      }
-    }
-    partial[std::size_t(c)] = work;
-  }
-  double work = 0;
-  for (double w : partial) work += w;
-  body.stress_work += work;
-  return std::size_t(bad);
+/// particle whose volume or stress is no longer a finite positive number, or body.size(); `limits` gets those of every
+/// chunk.
+template <bool Move, class Body, class Nodes, class S = typename Body::SpaceType, class Scalar = typename S::Scalar>
+std::size_t update_stress(Body& body, const Nodes& nodes, const std::vector<Vector<S>>& velocity, Scalar cell,
+                          Scalar time, Scalar dt, std::vector<double>& partial,
+                          std::vector<StepLimits<Scalar>>& limits) {
+  limits.resize(chunk_count(body));
+  return sum_work(body, partial, [&](std::size_t first, int count, std::int64_t& bad) {
+    double sum = 0;
+    StepLimits<Scalar> limit;
+    for (std::size_t p = first; p < first + std::size_t(count); ++p)
+      sum += update_stress<Move>(body, p, nodes, velocity, cell, time, dt, bad, limit);
+    limits[first / chunk_size] = limit;
+    return sum;
+  });
 }
 
 }  // namespace mpm

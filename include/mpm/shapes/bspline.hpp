@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
-#include <mpm/shapes/tensor_product.hpp>
+#include <mpm/shapes/modes.hpp>
 
 namespace mpm {
 namespace shapes {
@@ -59,6 +59,20 @@ struct Bspline {
       shapes::continue_linearly(axis[d], grid.cells(d));
     }
     shapes::tensor_product(axis, grid, out);
+  }
+  static constexpr int axis_nodes = Degree + 1;
+  static constexpr bool continues_linearly = true;
+  template <class Body, class V, std::size_t D>
+  [[gnu::always_inline]] bool modes(const Body&, std::size_t, const Grid<typename Body::SpaceType>& grid,
+                                    const std::array<V, D>& xi, std::array<AxisModes<V, Degree + 1>, D>& out) const {
+    for (std::size_t d = 0; d < D; ++d) {
+      if constexpr (Degree == 2) {
+        shapes::gimp_modes(xi[d], V(0.5), out[d]);
+      } else {
+        shapes::cubic_modes(xi[d], grid.cells(int(d)), out[d]);
+      }
+    }
+    return true;
   }
   /// Half the width of the box (or hat) that, averaged over, makes the spline of the hat.
   template <class Body>

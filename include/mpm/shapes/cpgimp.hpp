@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
-#include <mpm/shapes/tensor_product.hpp>
+#include <mpm/shapes/modes.hpp>
 #include <limits>
 
 namespace mpm {
@@ -16,7 +16,7 @@ std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar>& F) {
     // U = (C + J 1) / sqrt(tr C + 2 J), C = F^T F of the plane.
     const Scalar J = F.xx * F.yy - F.xy * F.yx;
     const Scalar Cxx = F.xx * F.xx + F.yx * F.yx, Cyy = F.xy * F.xy + F.yy * F.yy;
-    const Scalar scale = 1 / std::sqrt(Cxx + Cyy + 2 * J);
+    const Scalar scale = Scalar(1) / sqrt(Cxx + Cyy + Scalar(2) * J);
     return {(Cxx + J) * scale, (Cyy + J) * scale};
   } else {
     // Newton's iteration for the polar decomposition (Higham 1986): R <- (R + R^-T) / 2.
@@ -25,7 +25,7 @@ std::array<Scalar, Dimension> axis_stretch(const Tensor<Scalar>& F) {
       const Tensor<Scalar> cofactor{R.yy * R.zz - R.yz * R.zy, R.yz * R.zx - R.yx * R.zz, R.yx * R.zy - R.yy * R.zx,
                                     R.xz * R.zy - R.xy * R.zz, R.xx * R.zz - R.xz * R.zx, R.xy * R.zx - R.xx * R.zy,
                                     R.xy * R.yz - R.xz * R.yy, R.xz * R.yx - R.xx * R.yz, R.xx * R.yy - R.xy * R.yx};
-      R = Scalar(0.5) * (R + (1 / determinant(R)) * cofactor);
+      R = Scalar(0.5) * (R + (Scalar(1) / determinant(R)) * cofactor);
     }
     const Tensor<Scalar> U = transpose(R) * F;
     return {U.xx, U.yy, U.zz};
@@ -59,6 +59,20 @@ struct Cpgimp {
     auto r = axis_stretch<Body::dimension>(body.F(p));
     for (int d = 0; d < Body::dimension; ++d) r[d] *= typename Body::Scalar(half_size[d]);
     return r;
+  }
+  static constexpr int axis_nodes = 3;
+  /// Boxes wider than a cell span more than three nodes.
+  template <class Body, class V, std::size_t D>
+  [[gnu::always_inline]] bool modes(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>& grid,
+                                    const std::array<V, D>& xi, std::array<AxisModes<V, 3>, D>& out) const {
+    const auto stretch = axis_stretch<int(D)>(body.template F<V>(p));
+    bool narrow = true;
+    for (std::size_t d = 0; d < D; ++d) {
+      const V l = stretch[d] * V(half_size[d] * double(grid.inverse_cell()));
+      narrow = narrow && !any(l > V(0.5));
+      shapes::gimp_modes(xi[d], l, out[d]);
+    }
+    return narrow;
   }
   template <class Body, class S>
   void check(const Body& body, const Grid<S>&) const {

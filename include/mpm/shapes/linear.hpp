@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
-#include <mpm/shapes/tensor_product.hpp>
+#include <mpm/shapes/modes.hpp>
 
 namespace mpm {
 
@@ -23,6 +23,13 @@ struct Linear {
   template <class Body>
   auto reach(const Body&, std::size_t, const Grid<typename Body::SpaceType>&) const {
     return std::array<typename Body::Scalar, Body::dimension>{};
+  }
+  static constexpr int axis_nodes = 2;
+  template <class Body, class V, std::size_t D>
+  [[gnu::always_inline]] bool modes(const Body&, std::size_t, const Grid<typename Body::SpaceType>& grid,
+                                    const std::array<V, D>& xi, std::array<AxisModes<V, 2>, D>& out) const {
+    for (std::size_t d = 0; d < D; ++d) shapes::hat_modes(xi[d], grid.cells(int(d)), out[d]);
+    return true;
   }
   void permute(std::span<const std::uint32_t>) {}
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
-#include <mpm/shapes/tensor_product.hpp>
+#include <mpm/shapes/modes.hpp>
 
 namespace mpm {
 
@@ -29,6 +29,14 @@ struct Ugimp {
     std::array<typename Body::Scalar, Body::dimension> r;
     for (int d = 0; d < Body::dimension; ++d) r[d] = typename Body::Scalar(half_size[d]);
     return r;
+  }
+  static constexpr int axis_nodes = 3;
+  template <class Body, class V, std::size_t D>
+  [[gnu::always_inline]] bool modes(const Body&, std::size_t, const Grid<typename Body::SpaceType>& grid,
+                                    const std::array<V, D>& xi, std::array<AxisModes<V, 3>, D>& out) const {
+    for (std::size_t d = 0; d < D; ++d)
+      shapes::gimp_modes(xi[d], V(half_size[d] * double(grid.inverse_cell())), out[d]);
+    return true;
   }
   template <class Body, class S>
   void check(const Body& body, const Grid<S>& grid) const {

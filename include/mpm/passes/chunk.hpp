@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <mpm/passes/locate.hpp>
+#include <mpm/shapes/modes.hpp>
+
+namespace mpm {
+
+/// A shape function that has its weights in modes.
+template <class Body>
+concept HasModes =
+    requires(const Body b, const Grid<typename Body::SpaceType> g, std::array<typename Body::Lane, Body::dimension> xi,
+             std::array<AxisModes<typename Body::Lane, Body::Shape::axis_nodes>, Body::dimension> modes) {
+  b.shape.modes(b, std::size_t{}, g, xi, modes);
+};
+
+namespace detail {
+
+/// Splines go on linearly beyond a face.
+template <class Shape>
+inline constexpr bool continues_linearly = requires {
+  requires Shape::continues_linearly;
+};
+
+/// Coordinates, in cells, of a register of particles.
+template <class Body, class S, class V = typename Body::Lane>
+[[gnu::always_inline]] inline std::array<V, S::dimension> coordinates(const Body& body, std::size_t p,
+                                                                      const Grid<S>& grid) {
+  using Scalar = typename S::Scalar;
+  std::array<V, S::dimension> xi;
+  for (int d = 0; d < S::dimension; ++d)
+    xi[std::size_t(d)] = max(
+        V(0), min(V(Scalar(grid.cells(d))), (V::load(body.x(d) + p) - V(grid.origin()[d])) * V(grid.inverse_cell())));
+  return xi;
+}
+
+/// The weights of a chunk of particles, by axis.
+template <class S, int K>
+struct ChunkWeights {
+  using Scalar = typename S::Scalar;
+  static constexpr int D = S::dimension;
+  static constexpr int stored = AxisModes<LanesOf<Scalar>, K>::stored;
+  alignas(64) Scalar weight[D][stored][chunk_size];
+  alignas(64) Scalar slope[D][stored][chunk_size];
+  alignas(64) std::int32_t anchor[D][chunk_size];
+  alignas(64) std::int32_t node[chunk_size];  ///< anchor, linear
+
+  /// End of the run of particles from p on that share a stencil.
+  int run_end(int p, int size) const {
+    int q = p + 1;
+    while (q < size && node[q] == node[p]) ++q;
+    return q;
+  }
+  /// Returns whether modes serve all of the `size` particles.
+  template <class Body>
+  [[gnu::always_inline]] bool compute(const Body& body, std::size_t first, int size, const Grid<S>& grid) {
+    using V = typename Body::Lane;
+    bool fit = true;
+    for (int l = 0; l < size; l += V::size) {
+      const std::size_t p = first + std::size_t(l);
+      std::array<AxisModes<V, K>, D> modes;
+      fit = body.shape.modes(body, p, grid, coordinates(body, p, grid), modes) && fit;
+      typename V::Integers linear{};
+      for (int d = 0; d < D; ++d) {
+        const auto& m = modes[std::size_t(d)];
+        for (int k = 0; k < stored; ++k) m.weight[std::size_t(k)].store(&weight[d][k][l]);
+        for (int k = 0; k < stored; ++k) m.slope[std::size_t(k)].store(&slope[d][k][l]);
+        std::memcpy(&anchor[d][l], &m.anchor, sizeof(m.anchor));
+        linear += m.anchor * grid.stride(d);
+      }
+      std::memcpy(&node[l], &linear, sizeof(linear));
+    }
+    return fit;
+  }
+};
+
+/// The nodes of the stencil about an anchor; those beyond a face are folded onto it, or stand for the linear
+/// continuation of the two within.
+template <class S, int K>
+struct StencilNodes {
+  static constexpr int D = S::dimension;
+  std::ptrdiff_t along[D][K];
+  int beyond[D];  ///< -1 or 1 where the first or last node lies beyond a face
+
+  [[gnu::always_inline]] StencilNodes(const Grid<S>& grid, const std::int32_t (*anchor)[chunk_size], int particle) {
+    for (int d = 0; d < D; ++d) {
+      const int first = anchor[d][particle] - shapes::nodes_before<K>, last = first + K - 1;
+      for (int k = 0; k < K; ++k)
+        along[d][k] = std::ptrdiff_t(std::clamp(first + k, 0, grid.cells(d))) * grid.stride(d);
+      beyond[d] = first < 0 ? -1 : last > grid.cells(d) ? 1 : 0;
+    }
+  }
+  template <int I>
+  std::ptrdiff_t at() const {
+    std::ptrdiff_t node = along[0][I % K];
+    if constexpr (D > 1) node += along[1][I / K % K];
+    if constexpr (D > 2) node += along[2][I / (K * K)];
+    return node;
+  }
+  /// Linear continuation, v_-1 = 2 v_0 - v_1, of nodal values.
+  template <class Q>
+  void continue_field(Q* n) const {
+    at_faces([&](int a, int b, int c) { n[a] = n[b] + n[b] - n[c]; });
+  }
+  /// Its transpose: what nodes beyond a face have got goes to the two within.
+  template <class Q>
+  void fold_sums(Q* n) const {
+    at_faces([&](int a, int b, int c) { n[b] += n[a] + n[a], n[c] -= n[a], n[a] = Q{}; });
+  }
+
+ private:
+  template <class F>
+  void at_faces(const F& f) const {
+    for (int d = 0, stride = 1; d < D; ++d, stride *= K) {
+      if (beyond[d] == 0) continue;
+      const int from = beyond[d] < 0 ? 0 : (K - 1) * stride, inward = beyond[d] < 0 ? stride : -stride;
+      for (int a = 0; a < shapes::power(K, D); ++a)
+        if (a / stride % K == 0) f(a + from, a + from + inward, a + from + 2 * inward);
+    }
+  }
+};
+
+/// Four numbers of one node or particle, in one SIMD word.
+template <class T>
+using Word = Native<T, 4>;
+
+template <class T>
+[[gnu::always_inline]] inline void transpose(Word<T>& a, Word<T>& b, Word<T>& c, Word<T>& d) {
+  const Word<T> ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Word<T> cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+/// Four columns of lanes become one word a particle, and back.
+template <class V, class T = typename V::Scalar>
+[[gnu::always_inline]] inline void to_words(const V& a, const V& b, const V& c, const V& d, Word<T>* to) {
+  if constexpr (V::size < 4) {
+    for (int k = 0; k < V::size; ++k) to[k] = Word<T>{a[k], b[k], c[k], d[k]};
+  } else {
+    alignas(64) T rows[4][V::size];
+    a.store(rows[0]), b.store(rows[1]), c.store(rows[2]), d.store(rows[3]);
+    shapes::unrolled<V::size / 4>([&](auto part) __attribute__((always_inline)) {
+      Word<T> w[4];
+      for (int k = 0; k < 4; ++k) std::memcpy(&w[k], &rows[k][4 * part], sizeof(w[k]));
+      transpose<T>(w[0], w[1], w[2], w[3]);
+      for (int k = 0; k < 4; ++k) to[4 * part + k] = w[k];
+    });
+  }
+}
+template <class V, class T = typename V::Scalar>
+[[gnu::always_inline]] inline std::array<V, 4> to_lanes(const Word<T>* from) {
+  std::array<V, 4> columns;
+  if constexpr (V::size < 4) {
+    for (int c = 0; c < 4; ++c)
+      for (int k = 0; k < V::size; ++k) columns[c].v[k] = from[k][c];
+  } else {
+    alignas(64) T rows[4][V::size];
+    shapes::unrolled<V::size / 4>([&](auto part) __attribute__((always_inline)) {
+      Word<T> w[4] = {from[4 * part], from[4 * part + 1], from[4 * part + 2], from[4 * part + 3]};
+      transpose<T>(w[0], w[1], w[2], w[3]);
+      for (int k = 0; k < 4; ++k) std::memcpy(&rows[k][4 * part], &w[k], sizeof(w[k]));
+    });
+    for (int c = 0; c < 4; ++c) columns[c] = V::load(rows[c]);
+  }
+  return columns;
+}
+
+/// Sum over the modes of the last axis, `n` apart.
+template <int D, int K, class Q, class W>
+[[gnu::always_inline]] inline void along_axis(const Q* mode, int n, const W& w, int p, Q& out) {
+  constexpr int first = K == 2 ? 0 : 1;
+  if constexpr (K == 2) {
+    out = w.weight[D - 1][0][p] * mode[0];
+  } else {
+    out = mode[0];
+  }
+  shapes::unrolled<K - 1>([&](auto k) __attribute__((always_inline)) {
+    out += w.weight[D - 1][k + 1 - first][p] * mode[(k + 1) * n];
+  });
+}
+/// Value of a field from its modes, and its slopes along every axis, per cell. Words go out by reference: returned,
+/// wide ones would make the interface of a program depend on its instruction set.
+template <int D, int K, class Q, class W>
+[[gnu::always_inline]] inline void value_of(const Q* mode, const W& w, int p, Q& value) {
+  if constexpr (D == 0) {
+    value = mode[0];
+  } else {
+    constexpr int n = shapes::power(K, D - 1);
+    Q line[n];
+    shapes::unrolled<n>([&](auto a) __attribute__((always_inline)) { along_axis<D, K>(mode + a, n, w, p, line[a]); });
+    value_of<D - 1, K>(line, w, p, value);
+  }
+}
+template <int D, int K, class Q, class W>
+[[gnu::always_inline]] inline void value_of(const Q* mode, const W& w, int p, Q& value, Q* slopes) {
+  if constexpr (D == 0) {
+    value = mode[0];
+  } else {
+    constexpr int n = shapes::power(K, D - 1);
+    Q line[n], slope[n];
+    shapes::unrolled<n>([&](auto a) __attribute__((always_inline)) {
+      along_axis<D, K>(mode + a, n, w, p, line[a]);
+      if constexpr (K == 2) {
+        slope[a] = mode[n + a] - mode[a];
+      } else {
+        slope[a] = w.slope[D - 1][0][p] * mode[n + a];
+        shapes::unrolled<K - 2>([&](auto k) __attribute__((always_inline)) {
+          slope[a] += w.slope[D - 1][k + 1][p] * mode[(k + 2) * n + a];
+        });
+      }
+    });
+    value_of<D - 1, K>(slope, w, p, slopes[D - 1]);
+    value_of<D - 1, K>(line, w, p, value, slopes);
+  }
+}
+/// The transposes: what a value, or a value and slopes, are in modes.
+template <int D, int K, class Q, class W>
+[[gnu::always_inline]] inline void modes_of(const Q& value, const W& w, int p, Q* mode) {
+  if constexpr (D == 0) {
+    mode[0] = value;
+  } else {
+    constexpr int n = shapes::power(K, D - 1), first = K == 2 ? 0 : 1;
+    modes_of<D - 1, K>(value, w, p, mode);
+    shapes::unrolled<n>([&](auto a) __attribute__((always_inline)) {
+      shapes::unrolled<K - 1>([&](auto k) __attribute__((always_inline)) {
+        mode[(k + 1) * n + a] = w.weight[D - 1][k + 1 - first][p] * mode[a];
+      });
+      if constexpr (K == 2) mode[a] *= w.weight[D - 1][0][p];
+    });
+  }
+}
+template <int D, int K, class Q, class W>
+[[gnu::always_inline]] inline void modes_of(const Q& value, const Q* slopes, const W& w, int p, Q* mode) {
+  if constexpr (D == 0) {
+    mode[0] = value;
+  } else {
+    constexpr int n = shapes::power(K, D - 1);
+    Q slope[n];
+    modes_of<D - 1, K>(value, slopes, w, p, mode);
+    modes_of<D - 1, K>(slopes[D - 1], w, p, slope);
+    shapes::unrolled<n>([&](auto a) __attribute__((always_inline)) {
+      if constexpr (K == 2) {
+        mode[n + a] = slope[a] + w.weight[D - 1][1][p] * mode[a];
+        mode[a] = w.weight[D - 1][0][p] * mode[a] - slope[a];
+      } else {
+        shapes::unrolled<K - 1>([&](auto k) __attribute__((always_inline)) {
+          mode[(k + 1) * n + a] = w.slope[D - 1][k][p] * slope[a] + w.weight[D - 1][k][p] * mode[a];
+        });
+      }
+    });
+  }
+}
+
+}  // namespace detail
+}  // namespace mpm

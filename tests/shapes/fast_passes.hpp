@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <gtest/gtest.h>
+#include <mpm/materials/presets.hpp>
+#include <mpm/mpm.hpp>
+#include <random>
+
+// The passes that a solver takes, in lanes and by corners, against the plain ones, particle by particle on the grid.
+namespace mpm {
+namespace {
+
+template <class ShapeT, class LawT, class SpaceT>
+struct Combination {
+  using Shape = ShapeT;
+  using Law = LawT;
+  using Space = SpaceT;
+};
+
+/// Particles at random in a grid whose lower faces they touch, moving, strained and stressed.
+template <class C>
+class FastPasses : public ::testing::Test {
+ protected:
+  using S = typename C::Space;
+  using Scalar = typename S::Scalar;
+  using B = Body<typename C::Shape, typename C::Law, S>;
+  using Passes = Transfer<B, Usl>;
+  static constexpr int D = S::dimension;
+  static constexpr bool in_float = std::is_same_v<Scalar, float>;
+  static constexpr double round_off = in_float ? 2e-4 : 1e-11;
+
+  B body{"body", {}, {}};
+  Grid<S> grid;
+  UniformBodyForce<S> weight;
+  std::mt19937 random{7};
+
+  Scalar number(double size = 1) { return Scalar(std::uniform_real_distribution<double>(-size, size)(random)); }
+
+  void SetUp() override {
+    Vector<S> origin = Vector<S>::Zero(), upper;
+    std::array<int, D> cells;
+    cells.fill(D == 3 ? 7 : 11);
+    if (S::hoop) origin[0] = Scalar(.5);
+    for (int d = 0; d < D; ++d) upper[d] = origin[d] + Scalar(D == 3 ? 4 : 9);
+    fill(body, origin, upper, Scalar(.5));
+    grid = Grid<S>(origin, 1, cells);
+    grid.strain_velocity = grid.velocity;
+    weight = Vector<S>::Constant(-10);
+    for (std::size_t p = 0; p < body.size(); ++p) disturb(p);
+    if constexpr (requires { body.shape.corner; })
+      for (auto& x : body.shape.corner)
+        for (double& y : x) y = std::abs(y + double(number(.1)));
+  }
+  void disturb(std::size_t p) {
+    for (int d = 0; d < D; ++d) {
+      body.v(d)[p] = number();
+      if constexpr (B::Shape::domain_motion != DomainMotion::corners) body.x(d)[p] += number(.24);
+    }
+    Tensor<Scalar> L{number(), number(), 0, number(), number(), 0, 0, 0, 0};
+    if constexpr (D == 1) L = {number(), 0, 0, 0, 0, 0, 0, 0, 0};
+    if constexpr (D == 3) L.zz = number(), L.xz = number(), L.zx = number(), L.yz = number(), L.zy = number();
+    if constexpr (S::hoop) L.zz = number();
+    if (p % 97 == 0) L.xx = 25;  // boxes wider than a cell
+    std::int64_t bad = 0;
+    StepLimits<Scalar> limits;
+    strain(body, p, 1, L, Scalar(1), Scalar(0), Scalar(.05), bad, limits);
+  }
+  void disturb_nodes() {
+    for (std::size_t n = 0; n < grid.size(); ++n)
+      for (int d = 0; d < D; ++d) {
+        grid.velocity[n][d] = number();
+        grid.increment[n][d] = number();
+        grid.strain_velocity[n][d] = number();
+      }
+  }
+  template <class Field>
+  static void expect_equal(const Field& plain, const Field& fast) {
+    Scalar scale = 0;
+    for (const auto& v : plain) scale = std::max(scale, Vector<S>(v).norm());
+    ASSERT_GT(scale, 0);
+    for (std::size_t n = 0; n < plain.size(); ++n)
+      EXPECT_NEAR((plain[n] - fast[n]).norm() / scale, 0, round_off) << "node " << n;
+  }
+  static void expect_equal(const B& plain, const B& fast) {
+    for (int c = 0; c < B::column_count; ++c) {
+      double scale = 1e-30;
+      for (std::size_t p = 0; p < plain.size(); ++p) scale = std::max(scale, std::abs(double(plain.columns()[c][p])));
+      for (std::size_t p = 0; p < plain.size(); ++p)
+        EXPECT_NEAR(double(plain.columns()[c][p] - fast.columns()[c][p]) / scale, 0, round_off)
+            << "column " << c << " of particle " << p;
+    }
+    EXPECT_NEAR(plain.stress_work, fast.stress_work, round_off * std::abs(plain.stress_work));
+  }
+};
+
+TYPED_TEST_SUITE_P(FastPasses);
+
+TYPED_TEST_P(FastPasses, GiveTheNodesWhatThePlainOnesGive) {
+  auto fast = this->grid;
+  ParticleOrder order;
+  locate(this->body, this->grid, order);
+  for_each_coloured(order, [&](std::size_t p) {
+    scatter_plainly<What::momentum_and_forces>(this->body, p, this->grid, this->grid.velocity, this->weight, 0);
+  });
+  typename TestFixture::Passes passes;
+  passes.locate(this->body, fast);
+  passes.template scatter<What::momentum_and_forces>(this->body, fast, fast.velocity, this->weight, 0);
+  double total = 0, most = 0;
+  for (std::size_t n = 0; n < fast.size(); ++n) total += fast.mass[n], most = std::max(most, double(fast.mass[n]));
+  EXPECT_GT(total, 1);
+  for (std::size_t n = 0; n < fast.size(); ++n)
+    EXPECT_NEAR(fast.mass[n], this->grid.mass[n], TestFixture::round_off * most) << "node " << n;
+  this->expect_equal(this->grid.velocity, fast.velocity);
+  this->expect_equal(this->grid.increment, fast.increment);
+}
+
+TYPED_TEST_P(FastPasses, GiveInPartsWhatTheyGiveAtOnce) {
+  auto parts = this->grid;
+  typename TestFixture::Passes passes;
+  passes.locate(this->body, parts);
+  passes.locate(this->body, this->grid);
+  passes.template scatter<What::momentum_and_forces>(this->body, this->grid, this->grid.velocity, this->weight, 0);
+  passes.template scatter<What::momentum>(this->body, parts, parts.velocity, this->weight, 0);
+  passes.template scatter<What::forces>(this->body, parts, parts.velocity, this->weight, 0);
+  this->expect_equal(this->grid.velocity, parts.velocity);
+  this->expect_equal(this->grid.increment, parts.increment);
+  auto mass = this->grid;
+  std::fill(mass.mass.begin(), mass.mass.end(), 0);
+  passes.template scatter<What::mass>(this->body, mass, mass.velocity, this->weight, 0);
+  for (std::size_t n = 0; n < mass.size(); ++n)
+    EXPECT_NEAR(mass.mass[n], this->grid.mass[n], TestFixture::round_off * (1 + this->grid.mass[n])) << "node " << n;
+}
+
+TYPED_TEST_P(FastPasses, MoveAndStrainAsThePlainOnesDo) {
+  using Real = typename TestFixture::Scalar;
+  const Real dt(.01);
+  typename TestFixture::Passes passes;
+  passes.locate(this->body, this->grid);
+  this->disturb_nodes();
+  constexpr bool move = TestFixture::B::Shape::domain_motion != DomainMotion::corners;
+  const Usl blend{.flip = .9};
+  std::vector<double> partial;
+  std::vector<StepLimits<Real>> limits;
+
+  auto plain = this->body, fast = this->body;
+  gather_velocity(plain, this->grid, blend);
+  EXPECT_EQ(update_stress<move>(plain, this->grid, this->grid.velocity, Real(1), Real(0), dt, partial, limits),
+            plain.size());
+  EXPECT_EQ((passes.template update<true, Strained::by_first, true>(fast, this->grid, blend, 0, dt)), fast.size());
+  this->expect_equal(plain, fast);
+
+  plain = fast = this->body;
+  gather_velocity(plain, this->grid, blend);
+  EXPECT_EQ(update_stress<move>(plain, this->grid, this->grid.strain_velocity, Real(1), Real(0), dt, partial, limits),
+            plain.size());
+  passes.template update<true, Strained::none, false>(fast, this->grid, blend, 0, dt);
+  EXPECT_EQ((passes.template update<false, Strained::by_second, true>(fast, this->grid, blend, 0, dt)), fast.size());
+  this->expect_equal(plain, fast);
+}
+
+TYPED_TEST_P(FastPasses, FindTheStableStepThatThePlainOneFinds) {
+  using Real = typename TestFixture::Scalar;
+  auto& rock = this->body;
+  for (std::size_t p = 0; p < rock.size(); ++p) {  // moduli over density are the largest of a chunk: alike here
+    rock.store(p, rock.law.template initial<Real>());
+    rock.volume()[p] = rock.mass()[p] / Real(rock.law.density);
+    for (int d = 0; d < TestFixture::D; ++d) rock.v(d)[p] = 0;
+  }
+  typename TestFixture::Passes passes;
+  passes.locate(rock, this->grid);
+  EXPECT_EQ(passes.stable_step(rock, this->grid), stable_step(rock, this->grid)) << "before the first step";
+  passes.template update<false, Strained::by_first, false>(rock, this->grid, Usl{}, 0, 0);  // at rest
+  const Real plain = stable_step(rock, this->grid), fast = passes.stable_step(rock, this->grid);
+  EXPECT_LE(fast, plain * Real(1 + 1e-5));
+  EXPECT_GE(fast, plain * Real(.85)) << "the largest terms of a chunk need not meet in one particle";
+}
+
+REGISTER_TYPED_TEST_SUITE_P(FastPasses, GiveTheNodesWhatThePlainOnesGive, GiveInPartsWhatTheyGiveAtOnce,
+                            MoveAndStrainAsThePlainOnesDo, FindTheStableStepThatThePlainOneFinds);
+
+}  // namespace
+}  // namespace mpm

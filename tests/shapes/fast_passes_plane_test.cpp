@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "fast_passes.hpp"
+
+namespace mpm {
+namespace {
+
+using Plane = ::testing::Types<
+    //
+    Combination<Linear, Hypoelastic, PlaneStrain<>>, Combination<Ugimp, Hypoelastic, PlaneStrain<>>,
+    Combination<Ugimp, Hypoelastic, Axisymmetric<>>, Combination<Ugimp, Hypoelastic, PlaneStrain<float>>,
+    Combination<Cpgimp, Hypoelastic, PlaneStrain<>>, Combination<QuadraticBspline, Hypoelastic, PlaneStrain<>>,
+    Combination<CubicBspline, Hypoelastic, PlaneStrain<>>, Combination<CubicBspline, Hypoelastic, PlaneStrain<float>>,
+    Combination<Cpdi, Hypoelastic, PlaneStrain<>>, Combination<CpdiQuad, Hypoelastic, PlaneStrain<>>,
+    Combination<CpdiQuad, Hypoelastic, PlaneStrain<float>>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Plane, FastPasses, Plane);
+
+}  // namespace
+}  // namespace mpm
