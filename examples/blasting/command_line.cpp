@@ -3,9 +3,9 @@
 #include <mpm/io/info_file.hpp>
 #include <algorithm>
 #include <boost/program_options.hpp>
-#include <fstream>
 #include <iomanip>
 #include <ostream>
+#include <program/output_folder.hpp>
 #include <system_error>
 
 namespace blasting {
@@ -107,22 +107,9 @@ Scene read_scene(const Options& options) {
 }
 
 void prepare_output(const std::filesystem::path& folder, bool force) {
-  namespace fs = std::filesystem;
-  const std::string name = "--output " + shown(folder.string());
-  const InputError unusable(name + ": cannot be written, check the path and its permissions");
+  program::prepare_output(folder, force);
   std::error_code error;
-  if (fs::exists(folder, error)) {
-    if (!fs::is_directory(folder, error)) throw InputError(name + ": is not a folder, name another");
-    const bool empty = fs::is_empty(folder, error);
-    if (error) throw unusable;
-    if (!empty && !force)
-      throw InputError(name + ": holds an earlier result or other files, name another or add --force to write over it");
-  }
-  fs::create_directories(folder, error);
-  const fs::path probe = folder / ".write_test";
-  if (error || !std::ofstream(probe)) throw unusable;
-  fs::remove(probe, error);
-  fs::remove(folder / "summary.json", error);
+  std::filesystem::remove(folder / "summary.json", error);
 }
 
 }  // namespace blasting

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pictures.hpp"
-#include "gnuplot.hpp"
+#include <program/gnuplot.hpp>
 #include <mpm/io/text.hpp>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,8 @@ namespace blasting {
 namespace {
 
 using mpm::io::number;
+using program::Gnuplot;
+using program::gnuplot_string;
 
 /// A rectangle of square pixels; row 0 is the lowest.
 struct Raster {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <blasting/gnuplot.hpp>
 #include <blasting/pictures.hpp>
+#include <program/gnuplot.hpp>
 #include <mpm/io/csv.hpp>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -13,6 +13,7 @@
 namespace {
 
 using namespace blasting;
+using program::Gnuplot;
 
 /// The pixel of a field picture, from its lower left corner, that shows (x, y) of a window from -1 to 1 m.
 std::array<int, 2> pixel(double x, double y) {

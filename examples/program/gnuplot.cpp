@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-namespace blasting {
+namespace program {
 namespace {
 
 /// Starts `gnuplot -d script` in `folder`, its messages in a file there, and waits. The error of the start, or 0 and
@@ -88,4 +88,4 @@ bool Gnuplot::draw(int width, int height, const std::string& script) const {
   return true;
 }
 
-}  // namespace blasting
+}  // namespace program

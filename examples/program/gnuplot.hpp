@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace blasting {
+namespace program {
 
 /// A folder beside the picture to be, where gnuplot works and which goes away with this object. Inside it all names are
 /// plain, so that no path of the user's ever stands in a script.
@@ -31,4 +31,4 @@ class Gnuplot {
 /// `text` as a gnuplot string in which no character has a meaning of its own.
 std::string gnuplot_string(std::string_view text);
 
-}  // namespace blasting
+}  // namespace program
