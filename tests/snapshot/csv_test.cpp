@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 #include "temporary_folder.hpp"
 
@@ -18,6 +19,14 @@ TEST(Csv, RowsStandWholeInTheFileAtOnce) {
   EXPECT_EQ(content(folder / "energies.csv"), "time [s],kinetic [J/m],damage [1]\n1e-06,-2.5,0.3333333333333333\n");
   table.row(std::vector{-std::nan(""), std::numeric_limits<double>::infinity(), 0.0});
   EXPECT_TRUE(content(folder / "energies.csv").ends_with("\nnan,inf,0\n"));
+}
+
+TEST(Csv, RowsMayHoldText) {
+  const TemporaryFolder folder;
+  CsvWriter table(folder / "chart.csv", {{"shape", "1"}, {"error", "1"}});
+  table.row(std::vector<std::string>{"Linear", mpm::io::number(.5)});
+  EXPECT_EQ(content(folder / "chart.csv"), "shape [1],error [1]\nLinear,0.5\n");
+  EXPECT_THROW(table.row(std::vector<std::string>{"a,b", "1"}), std::invalid_argument);
 }
 
 TEST(Csv, RefusesWhatItCannotWrite) {

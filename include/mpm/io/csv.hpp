@@ -27,7 +27,7 @@ class CsvWriter {
       : file_(std::move(file)), columns_(columns.size()) {
     std::string header;
     for (const auto& [name, unit] : columns) {
-      if ((name + unit).find_first_of(",\"\n") != std::string::npos)
+      if (!plain(name + unit))
         throw std::invalid_argument(file_.string() + ": column `" + name + "` [" + unit + "] cannot stand in a header");
       header += (header.empty() ? "" : ",") + name + " [" + unit + "]";
     }
@@ -36,18 +36,27 @@ class CsvWriter {
     write(header);
   }
 
-  /// Appends one row. Throws std::invalid_argument if the values are not as many as the columns, std::runtime_error
-  /// naming the file if it cannot be written.
-  void row(std::span<const double> values) {
-    if (values.size() != columns_)
-      throw std::invalid_argument(file_.string() + ": " + std::to_string(values.size()) + " values for " +
+  /// Appends one row. Throws std::invalid_argument if the cells are not as many as the columns or cannot stand in a
+  /// table, std::runtime_error naming the file if it cannot be written.
+  void row(std::span<const std::string> cells) {
+    if (cells.size() != columns_)
+      throw std::invalid_argument(file_.string() + ": " + std::to_string(cells.size()) + " values for " +
                                   std::to_string(columns_) + " columns");
     std::string line;
-    for (const double value : values) (line += line.empty() ? "" : ",") += number(value);
+    for (const std::string& cell : cells) {
+      if (!plain(cell)) throw std::invalid_argument(file_.string() + ": `" + cell + "` cannot stand in a table");
+      line += (line.empty() ? "" : ",") + cell;
+    }
     write(line);
+  }
+  void row(std::span<const double> values) {
+    std::vector<std::string> cells;
+    for (const double value : values) cells.push_back(number(value));
+    row(cells);
   }
 
  private:
+  static bool plain(const std::string& text) { return text.find_first_of(",\"\n") == std::string::npos; }
   void write(std::string line) {
     line += '\n';
     out_.write(line.data(), static_cast<std::streamsize>(line.size())).flush();
