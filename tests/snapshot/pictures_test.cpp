@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+#include "run_python.hpp"
 #include "temporary_folder.hpp"
 
 namespace {

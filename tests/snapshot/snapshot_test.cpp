@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <csignal>
+#include "run_python.hpp"
 #include "temporary_folder.hpp"
 
 namespace {

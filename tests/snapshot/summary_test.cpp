@@ -2,6 +2,7 @@
 #include <blasting/summary.hpp>
 #include <gtest/gtest.h>
 #include <clocale>
+#include "run_python.hpp"
 #include "temporary_folder.hpp"
 
 namespace {

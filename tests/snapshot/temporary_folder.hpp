@@ -7,7 +7,6 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <sys/wait.h>
 
 /// A fresh folder for one test, removed with all it holds. Its name has a blank and both quotes, as a user's may.
 class TemporaryFolder {
@@ -39,17 +38,4 @@ inline int count_files(const std::filesystem::path& folder, const std::string& e
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     count += entry.path().string().ends_with(ending);
   return count;
-}
-
-/// Runs a Python script of this folder on `argument`; its exit status. 77 means: what it needs is not installed.
-inline int run_python(const std::string& script, const std::filesystem::path& argument) {
-  const std::string program = std::string(MPM_TEST_SCRIPTS) + "/" + script;
-  const pid_t child = fork();
-  if (child == 0) {
-    execl(MPM_VTK_PYTHON, MPM_VTK_PYTHON, program.c_str(), argument.c_str(), static_cast<char*>(nullptr));
-    _exit(77);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
