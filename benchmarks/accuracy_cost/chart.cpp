@@ -50,7 +50,7 @@ double expected_work(const Table& line, int cells) {
 
 Table measure_all(const Problem& problem, std::size_t variant, Extent extent, const Progress& progress) {
   const bool quick = extent == Extent::quick;
-  const double most_work = quick ? 1e6 : 1e7;
+  const double most_work = quick ? 1e6 : 5e6;
   Table table;
   for (const Configuration& configuration : problem.configurations) {
     if (quick && !configuration.quick) continue;

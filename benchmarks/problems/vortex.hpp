@@ -5,9 +5,10 @@
 namespace mpm::problems {
 
 struct VortexOptions {
-  int cells = 20;       ///< along 1 m
-  int per_edge = 2;     ///< particles a cell edge
-  double safety = 0.2;  ///< share of the stable step at rest; the shear makes waves four times as fast
+  int cells = 20;        ///< along 1 m
+  int per_edge = 2;      ///< particles a cell edge
+  double amplitude = 1;  ///< A, rad
+  double safety = 0.2;   ///< share of the stable step at rest; the shear makes waves four times as fast
 };
 
 /// The generalized vortex (Kamojjala et al. 2015) on a polar mesh: the circles of a free ring turn against each other,
@@ -17,7 +18,7 @@ Outcome vortex(const VortexOptions& options, Integrator integrator = {}) {
   using S = PlaneStrain<Scalar>;
   using Law = WithOrigin<NeoHookean>;
   using Solution = analysis::Vortex;
-  const Solution solution;
+  const Solution solution{.amplitude = options.amplitude};
   const double h = 1.0 / options.cells, size = h / options.per_edge;
   const int half = int(std::ceil(Solution::outer / h)) + 2;
   const geometry::Annulus ring{.inner = Solution::inner, .outer = Solution::outer, .particle_size = size};
