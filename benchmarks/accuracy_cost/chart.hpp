@@ -18,7 +18,8 @@ using Progress = std::function<void(const Problem&, const Method&, int cells)>;
 enum class Extent { quick, full };
 
 /// Measures the configurations of a variant of the problem at the chart's sizes, coarse to fine. A size is left out
-/// where by the ones before it would take too many particle-steps, and where a coarser one failed.
+/// where by the ones before it would take too many particle-steps, unless the others need it as the unit of cost, and
+/// where a coarser one failed.
 Table measure_all(const Problem& problem, std::size_t variant, Extent extent, const Progress& progress = {});
 
 }  // namespace accuracy_cost

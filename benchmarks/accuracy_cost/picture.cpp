@@ -82,8 +82,9 @@ bool draw(const Table& rows, const std::string& title, const std::filesystem::pa
     plot += ", NaN with points pointsize 1.2 linecolor rgb 'black' " + mark(schemes[s]) + " title " + gnuplot_string(s);
   mpm::io::replace_file(gnuplot.folder() / "lines", data);
   return gnuplot.draw(960, 600,
-                      "set title " + gnuplot_string(title) +
-                          "\nset logscale xy\nset grid\nset xlabel 'cost, core-seconds'\nset ylabel 'error, %'\n"
+                      "set label 1 " + gnuplot_string(title) +
+                          " at screen 0.5,0.96 center\nset tmargin 3\nset logscale xy\nset grid\nset xlabel 'cost, "
+                          "core-seconds'\nset ylabel 'error, %'\n"
                           "set format '%g'\nset key outside right top samplen 1.5 spacing 1.1\n" +
                           plot + '\n');
 }

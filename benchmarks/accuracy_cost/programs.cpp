@@ -41,6 +41,11 @@ Table known(const Options& options, const Problem& problem) {
   const auto file = options.output / "chart.csv";
   if (std::filesystem::exists(file)) {
     Table rows = rows_of(read(file), problem.name);
+    // An older program may have known other methods.
+    std::erase_if(rows, [&](const Row& row) {
+      return std::ranges::find(problem.configurations, row.method, &Configuration::method) ==
+             problem.configurations.end();
+    });
     if (!rows.empty()) return rows;
   }
   std::cerr << "no chart of " << problem.name << " in " << options.output.string() << ": making a quick one\n";
@@ -62,8 +67,6 @@ bool tune_one(const Options& options) {
       problem.name.c_str(), 100 * options.error, name(choice->method).c_str(), choice->cells, 100 * choice->error,
       share, choice->cost);
   const auto configuration = std::ranges::find(problem.configurations, choice->method, &Configuration::method);
-  if (configuration == problem.configurations.end())
-    throw mpm::io::InputError(options.output.string() + ": names methods this program does not have; make it anew");
   const Row run = measure(problem, *configuration, choice->cells, 0);
   const bool kept = run.error <= options.error;
   std::printf("measured: error %.3g %%, cost %.2g core-seconds: the budget is %s\n", 100 * run.error, run.cost,

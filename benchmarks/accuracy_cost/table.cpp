@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include "unit_method.hpp"
 
 namespace accuracy_cost {
 namespace {
@@ -78,7 +79,7 @@ Table rows_of(const Table& table, const std::string& problem) {
 
 void relate_costs(Table& rows) {
   for (Row& row : rows) {
-    const Method unit{"Linear", "USL", "FLIP", "double", row.method.per_edge, row.method.cfl};
+    const Method unit = unit_method(row.method);
     const auto found =
         std::ranges::find_if(rows, [&](const Row& r) { return r.cells == row.cells && r.method == unit; });
     row.relative_cost = found == rows.end() ? std::numeric_limits<double>::quiet_NaN() : row.cost / found->cost;
@@ -104,7 +105,8 @@ void write(const Table& table, const std::filesystem::path& file) {
 Table read(const std::filesystem::path& file) {
   std::ifstream in(file);
   std::string line;
-  if (!std::getline(in, line)) throw InputError(file.string() + ": cannot be read, or is empty");
+  if (!std::getline(in, line) || split(line).size() != columns.size() || !line.starts_with(columns.front().name))
+    throw InputError(file.string() + ": cannot be read, or is no chart; make it anew");
   Table table;
   for (int at = 2; std::getline(in, line); ++at) {
     const auto cells = split(line);
