@@ -7,9 +7,9 @@ namespace {
 
 using Options = mpm::problems::CavityOptions;
 
-const std::vector<std::string> variants{"block of 15 radii", "block of 13 radii"};
+const std::vector<std::string> variants{"block of 15 radii", "block of 18 radii"};
 // No history is compared: the exact one costs more than the run.
-const std::vector<Options> options_of_variants{{.history_from = 1}, {.side = 13, .history_from = 1}};
+const std::vector<Options> options_of_variants{{.history_from = 1}, {.side = 18, .history_from = 1}};
 const std::vector<Setting> settings{{2, .8}, {2, .4}, {3, .8}};
 
 }  // namespace
@@ -21,8 +21,8 @@ Problem cavity() {
   return {.name = "cavity",
           .title = "Cavity wave, quarter plane: largest error of the peak hoop stress at 2, 5 and 10 radii",
           .variants = variants,
-          .quick = {1, 2, 3},
-          .full = {1, 2, 3, 4, 6},
+          .quick = {2, 3},
+          .full = {2, 3, 4, 6},
           .configurations = Methods(options_of_variants, settings, run).shape<mpm::CpdiQuad>().take()};
 }
 
