@@ -9,17 +9,28 @@ if [[ ${1-} == --help ]]; then
 ./run.sh [blast] ...  blast a hole in pre-stressed rock (./run.sh blast --help)
 ./run.sh chart ...    chart speed against accuracy of every method (./run.sh chart --help)
 ./run.sh tune ...     name the cheapest method that keeps an error, and run it (./run.sh tune --help)
+./run.sh bench ...    time whole steps by method, table at the end, ./bench.json (--quick, and Google Benchmark's options)
 END
   exit
 fi
-target=blasting folder=examples/blasting
+target=blasting folder=examples/blasting packages=() options=()
 case ${1-} in
   blast) shift ;;
   chart | tune) target=accuracy_cost folder=benchmarks/accuracy_cost ;;
+  bench)
+    shift
+    target=benchmark_steps folder=benchmarks packages=(libbenchmark-dev) options=(-DMPM_BUILD_BENCHMARKS=ON)
+    if [[ ${1-} == --quick ]]; then
+      shift
+      set -- --benchmark_min_time=0.1 "$@"
+    fi
+    set -- --benchmark_out=bench.json --benchmark_out_format=json "$@"
+    export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
+    ;;
 esac
 
 "$root/cmake/setup-packages.sh" g++ cmake ninja-build libeigen3-dev libboost-dev libboost-program-options-dev \
-  libhdf5-dev gnuplot-nox
-(cd "$root" && cmake --preset release && cmake --build --preset release --target "$target")
+  libhdf5-dev gnuplot-nox "${packages[@]}"
+(cd "$root" && cmake --preset release "${options[@]}" && cmake --build --preset release --target "$target")
 export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}  # many short parallel regions: spinning threads get in the way
 exec "$root/build/release/$folder/$target" "$@"

@@ -55,8 +55,7 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, CornerNodes<S>
       const detail::QuadWeights<V> w(body.shape, first, size);
       const V m = V::load(body.mass() + first), zero(0);
       Word value[V::size], flux[2][V::size], weight[V::size];
-      V push[2][2];
-      V b[2];
+      V push[2][2]{}, b[2]{};
       if constexpr (force) {
         bad = std::min(bad, first_unsound<V>(body, first, size));
         const auto s = body.template stress<V>(first);

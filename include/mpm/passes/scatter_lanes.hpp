@@ -70,7 +70,7 @@ struct Given {
     for (int l = 0; l < chunk_size; l += V::size) {
       const std::size_t p = first + std::size_t(l);
       const V m = V::load(body.mass() + p);
-      V v[3], b[3], s[3][3];
+      V v[3]{}, b[3]{}, s[3][3]{};
       m.store(mass + l);
       if constexpr (gives_momentum<what>)
         for (int d = 0; d < D; ++d) v[d] = m * V::load(body.v(d) + p);
