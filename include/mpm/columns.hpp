@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,8 +12,8 @@ namespace mpm {
 /// Particles that are worked on together, a whole number of SIMD registers in any build.
 inline constexpr int chunk_size = 16;
 
-/// Structure of arrays: `Count` columns of equal length, each contiguous, one scalar a particle. A chunk of zeros follows
-/// each, so that a whole one may be read and written anywhere.
+/// Structure of arrays: `Count` columns of equal length, each contiguous, one scalar a particle. Room for a chunk
+/// follows each, so that a whole one may be read and written anywhere.
 template <class T, int Count>
 class Columns {
  public:
@@ -20,7 +21,11 @@ class Columns {
 
   /// Grows or shrinks every column; new entries are zero.
   void resize(std::size_t size) {
-    for (int c = 0; c < Count; ++c) data_[c].resize(size + chunk_size);
+    for (int c = 0; c < Count; ++c) {
+      data_[c].resize(size + chunk_size);
+      if (size > size_)
+        std::fill(data_[c].begin() + std::ptrdiff_t(size_), data_[c].begin() + std::ptrdiff_t(size), T(0));
+    }
     size_ = size;
   }
 
@@ -32,6 +37,7 @@ class Columns {
     scratch.resize(size_ + chunk_size);
     for (int c = 0; c < Count; ++c) {
       for (std::size_t i = 0; i < size_; ++i) scratch[i] = data_[c][order[i]];
+      std::copy_n(data_[c].begin() + std::ptrdiff_t(size_), chunk_size, scratch.begin() + std::ptrdiff_t(size_));
       data_[c].swap(scratch);
     }
   }

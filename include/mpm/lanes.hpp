@@ -171,11 +171,11 @@ auto lane(const V& value, int k) {
   }
 }
 
-/// Largest and sum of the numbers that V holds.
+/// Largest and sum of the numbers that V holds; NaN if one is.
 template <class V>
 auto largest(const V& a) {
   auto most = lane(a, 0);
-  for (int k = 1; k < lane_count<V>; ++k) most = lane(a, k) > most ? lane(a, k) : most;
+  for (int k = 1; k < lane_count<V>; ++k) most = lane(a, k) <= most || most != most ? most : lane(a, k);
   return most;
 }
 template <class V>

@@ -53,6 +53,8 @@ class Solver {
     if constexpr (refines) smoothed_ = grid.velocity;
   }
 
+  /// The body of a column. Particles may be added between steps; after any other change of theirs, or of their law,
+  /// call `bodies_changed`.
   template <int I = 0>
   BodyAt<I>& body() {
     return std::get<I>(bodies);
@@ -87,6 +89,11 @@ class Solver {
   }
   void run(double end) {
     run(end, [](const Solver&) {});
+  }
+
+  /// To be called when particles were changed between two steps: places and stable step are then found anew.
+  void bodies_changed() {
+    for_each_body([](auto&, auto& transfer) { transfer.forget(); });
   }
 
   /// Nodal forces -V sigma grad w + w m b of the present state in grid.increment, boundaries not included.

@@ -63,6 +63,19 @@ TYPED_TEST(FloatStep, FollowsDouble) {
   expect_close(exact.body(), rounded.body(), start, 1e-3);
 }
 
+/// A block flies over several blocks of nodes and keeps its velocity: its places are found again on the way.
+TYPED_TEST(FloatStep, FliesFar) {
+  auto solver = block<TypeParam, Musl, PlaneStrain<float>>(60);
+  auto& body = solver.body();
+  for (std::size_t p = 0; p < body.size(); ++p) body.v(1)[p] = 10;
+  const float start = body.x(1)[0];
+  while (body.x(1)[0] < start + 40 * float(cell)) solver.step();
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    EXPECT_NEAR(body.v(1)[p], 10, 1e-3);
+    EXPECT_NEAR(body.v(0)[p], 0, 1e-3);
+  }
+}
+
 /// Rock, gas and rubber side by side, with walls and a quiet face.
 template <class Scalar>
 auto mixed() {

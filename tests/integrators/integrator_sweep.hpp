@@ -37,7 +37,8 @@ TYPED_TEST_P(IntegratorSweep, ConservesMomentum) {
     const Vec change = momentum(body) - start;
     EXPECT_GT(equivalent_stress(body.stress(0)), 1e-7 * young);  // forces have acted
     for (int d = TypeParam::S::hoop ? 1 : 0; d < Vec::RowsAtCompileTime; ++d)
-      EXPECT_LT(std::abs(change[d]), 2e-15 * scale);
+      EXPECT_LT(std::abs(change[d]),
+                1e-14 * scale);  // FMPM: 6e-15, weights in modes and of stencils differ in last bits
   }
 }
 

@@ -57,7 +57,9 @@ TYPED_TEST(Allocation, StepsTakeNoMemory) {
   const long before = allocations;
   for (int k = 0; k < 60; ++k) solver.step();
   EXPECT_EQ(allocations - before, 0);
-  if constexpr (!requires { solver.integrator.damping; }) EXPECT_GT((solver.body().position(0) - where).norm(), 2);
+  if constexpr (!requires { solver.integrator.damping; }) {
+    EXPECT_GT((solver.body().position(0) - where).norm(), 2);
+  }
 }
 
 }  // namespace

@@ -28,6 +28,10 @@ enum class DomainMotion {
 ///   - for DomainMotion::corners: `corner`, their positions; `corner_stencil(p, out)`: w_cp and grad w_cp on them;
 ///     `convect(body, velocity, dt)` with the velocities of the corners, which returns the first particle whose domain
 ///     has inverted, or body.size(); `pressure` on its surface, added to the corners' forces by `load_surface(force)`;
+///   - optional, for the fast passes: `axis_nodes`, the number K of nodes along each axis, 2, 3 or 4, in every place
+///     (unless the domain follows F), and `modes(body, p, grid, xi, out)`, the weights of a register of particles from
+///     p on by axis, see shapes/modes.hpp; returns false where modes cannot give them and the plain stencil must;
+///     `continues_linearly`, if nodes beyond a face stand for the continuation of those within;
 ///   - optional `check(body, grid)`: throws Error before the first step when its parameters are not fit for work.
 template <class S>
 concept ShapeFunction = std::default_initializable<S> && requires(S shape, std::span<const std::uint32_t> order) {

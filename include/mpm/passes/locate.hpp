@@ -88,6 +88,8 @@ Place place_of(const Body& body, std::size_t p, const Grid<S>& grid) {
     } else {
       low = int(grid.coordinate(x - reach[d], d)), high = int(grid.coordinate(x + reach[d], d)) + 1;
     }
+    if constexpr (requires { requires Shape::axis_nodes == 3; })  // nodes without weight are added to, too
+      low = std::min(low, anchor - 1), high = std::max(high, anchor + 1);
     if (d == S::dimension - 1) place.low = low, place.high = high;
     block += anchor / edge * grid.block_stride(d);
     inner = inner * edge + anchor % edge;

@@ -28,20 +28,12 @@ void add_momentum(const Body& body, std::size_t p, Nodes& nodes, Field& momentum
     momentum[I] += w * mv;
   }
 }
-template <class Body, class Nodes, class Field>
-void scatter_momentum(const Body& body, const ParticleOrder& order, Nodes& nodes, Field& momentum) {
-  for_each_coloured(order, [&](std::size_t p) { add_momentum(body, p, nodes, momentum); });
-}
 
 /// m_I += w_Ip m_p.
 template <class Body, class Nodes>
 void add_mass(const Body& body, std::size_t p, Nodes& nodes) {
   const auto stencil = make_stencil(body, p, nodes);
   for (const auto& [I, w, grad] : stencil) nodes.mass[I] += w * body.mass()[p];
-}
-template <class Body, class Nodes>
-void scatter_mass(const Body& body, const ParticleOrder& order, Nodes& nodes) {
-  for_each_coloured(order, [&](std::size_t p) { add_mass(body, p, nodes); });
 }
 
 /// out_I += sum_p w_Ip m_p sum_J w_Jp in_J: a nodal field as the particles see it, back on the nodes as a momentum.
@@ -88,10 +80,6 @@ void add_force(const Body& body, std::size_t p, Nodes& nodes, const Force& body_
   const Vector<S> weight = body.mass()[p] * body_force(body, p, time);
   for (const auto& [I, w, grad] : stencil)
     nodes.increment[I] += w * weight - stress_flux<S>(stress, volume, radius, w, grad);
-}
-template <class Body, class Nodes, class Force>
-void scatter_force(const Body& body, const ParticleOrder& order, Nodes& nodes, const Force& body_force, double time) {
-  for_each_coloured(order, [&](std::size_t p) { add_force(body, p, nodes, body_force, time); });
 }
 
 /// First of the `valid` particles from p on whose stress is no finite number, or the largest size_t. With lanes for V,

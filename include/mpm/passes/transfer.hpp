@@ -30,8 +30,10 @@ class Transfer {
       "mpm::ShapeFunction: `reach(body, p, grid)` is missing, by which particles are ordered for the threads");
   static constexpr bool by_corners = Shape::domain_motion == DomainMotion::corners;
   static constexpr int column_count = particle_columns<IntegratorT, S>;
-  /// Fast passes for shapes in modes, and for corners; the plain ones for all others.
-  static constexpr bool in_modes = HasModes<Body>;
+  /// Fast passes for shapes in modes, and for corners; the plain ones for all others, and for integrators with columns
+  /// of their own, which scatter by the stencil: the weights of all passes must be the same to the last bit where a
+  /// particle only just touches a node.
+  static constexpr bool in_modes = HasModes<Body> && column_count == 0;
   static constexpr bool corners_in_lanes = by_corners && std::is_same_v<Scalar, double>;
 
   /// Orders the particles and marks the blocks in use. Domains with corners keep their places while no corner has moved
@@ -81,6 +83,7 @@ class Transfer {
     constexpr bool second = Blend || strained == Strained::by_second;
     if constexpr (column_count > 0 && Blend) IntegratorT::gather_columns(body, grid, columns_);
     const auto& own = nodes(grid);
+    const bool limits_known = strained != Strained::none || limits_.size() == chunk_count(body);
     if constexpr (by_corners) {
       corners_.gather(grid.velocity, corners_.velocity);
       if constexpr (Blend) corners_.gather(grid.increment, corners_.increment);
@@ -110,7 +113,15 @@ class Transfer {
         });
       }
     }
+    if constexpr (Move && by_corners && !corners_in_lanes) {
+      Scalar fastest = 0;
+      for (const Vector<S>& v : strained == Strained::by_second ? corners_.strain_velocity : corners_.velocity)
+        fastest = std::max(fastest, v.cwiseAbs().maxCoeff());
+      limits_.resize(chunk_count(body));
+      for (auto& limit : limits_) limit.speed = fastest;
+    }
     if constexpr (Move && !in_modes) note_motion(grid, dt);
+    if (!limits_known) limits_.clear();
     return bad;
   }
   /// Corners ride the nodes, with the field that strained the particles. Returns the first particle whose domain has
@@ -153,7 +164,7 @@ class Transfer {
       motion_.clear();
       return mpm::stable_step(body, grid);
     }
-    if constexpr (in_modes) {
+    if constexpr (HasModes<Body>) {
       return mpm::stable_step(body, limits_, grid.cell(), [&](std::size_t, std::size_t first, int count) {
         return detail::chunk_stiffness(body, first, count, grid);
       });
@@ -169,6 +180,9 @@ class Transfer {
       });
     }
   }
+
+  /// Forgets what the last step knew of the particles.
+  void forget() { limits_.clear(); }
 
   const Columns<Scalar, column_count>& columns() const { return columns_; }
 

@@ -18,7 +18,7 @@ struct StepLimits {
   Scalar speed = 0;              ///< component of the velocity that moves them, m/s
 
   /// Raises `limit` to `value`; what is no number stays to be found.
-  static void raise(Scalar& limit, Scalar value) { limit = value <= limit ? limit : value; }
+  static void raise(Scalar& limit, Scalar value) { limit = value <= limit || limit != limit ? limit : value; }
 };
 
 /// A particle rides the nodes: x_p += dt sum w_Ip v_I.

@@ -72,7 +72,7 @@ struct Bspline {
         shapes::cubic_modes(xi[d], grid.cells(int(d)), out[d]);
       }
     }
-    return true;
+    return cells_suffice(grid);
   }
   /// Half the width of the box (or hat) that, averaged over, makes the spline of the hat.
   template <class Body>
@@ -84,6 +84,13 @@ struct Bspline {
   void permute(std::span<const std::uint32_t>) {}
 
  private:
+  /// A stencil of four nodes that passes both faces of an axis of one cell is not for modes.
+  template <class S>
+  static bool cells_suffice(const Grid<S>& grid) {
+    bool enough = true;
+    for (int d = 0; d < S::dimension; ++d) enough = enough && (Degree == 2 || grid.cells(d) > 1);
+    return enough;
+  }
   template <class Scalar>
   static AxisStencil<Scalar, Degree + 1> interior(Scalar xi, [[maybe_unused]] int cells) {
     if constexpr (Degree == 2) {
