@@ -84,8 +84,8 @@ struct JohnsonHolmquist2 {
            SymmetricTensor<V>::spherical(pressure(V(1) / step.J - V(1)) + bulking);
   }
 
-  /// What the strength is at least, Pa, without a power: x^N is above the smaller of x and 1 while 0 <= N <= 1, and rate and
-  /// fractured strength only add.
+  /// What the strength is at least, Pa, without a power: x^N is above the smaller of x and 1 while 0 <= N <= 1, and
+  /// rate and fractured strength only add.
   template <class V>
   V certain_strength(const V& reach, const V& damage) const {
     return N >= 0 && N <= 1 && C >= 0 ? V(A * sigma_hel) * (V(1) - damage) * min(reach, V(1)) : V(0);

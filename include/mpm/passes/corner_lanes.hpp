@@ -96,52 +96,51 @@ std::size_t update(Body& body, const CornerNodes<S>&, const std::vector<Vector<S
   using Word = detail::Word<double>;
   constexpr std::size_t from = strained == Strained::by_second ? 2 : 0;
   limits.resize(chunk_count(body));
-  return sum_work(
-      body, partial, [&](std::size_t chunk, int count, std::int64_t& bad) __attribute__((flatten)) {
-        double work = 0;
-        StepLimits<double> limit;
-        Word fastest{};  // corner
-        for (int l = 0; l < count; l += V::size) {
-          const std::size_t p = chunk + std::size_t(l);
-          const int size = std::min(V::size, count - l);
-          const detail::QuadWeights<V> w(body.shape, p, size);
-          Word first_pair[V::size], second_pair[V::size], sum[V::size], weight[V::size];
-          detail::to_words(w.weight[0], w.weight[1], w.weight[2], w.weight[3], weight);
-          for (int k = 0; k < V::size; ++k) {
-            const auto& quad = body.shape.quad[p + std::size_t(std::min(k, size - 1))];
-            Word at[4];
-            for (std::size_t c = 0; c < 4; ++c) {
-              detail::join(first_field[quad[c]], second_field[quad[c]], at[c]);
-              const Word speed = at[c] < 0 ? -at[c] : at[c];
-              fastest = speed > fastest ? speed : fastest;
-            }
-            sum[k] = weight[k][0] * at[0] + weight[k][1] * at[1] + (weight[k][2] * at[2] + weight[k][3] * at[3]);
-            first_pair[k] = at[0] - at[2], second_pair[k] = at[1] - at[3];
-          }
-          if constexpr (strained != Strained::none) {
-            const auto a = detail::to_lanes<V>(first_pair), b = detail::to_lanes<V>(second_pair);
-            Tensor<V> L;
-            L.xx = a[from] * w.gradient[0][0] + b[from] * w.gradient[1][0];
-            L.xy = a[from] * w.gradient[0][1] + b[from] * w.gradient[1][1];
-            L.yx = a[from + 1] * w.gradient[0][0] + b[from + 1] * w.gradient[1][0];
-            L.yy = a[from + 1] * w.gradient[0][1] + b[from + 1] * w.gradient[1][1];
-            work += mpm::strain(body, p, size, L, cell, time, dt, bad, limit);
-          }
-          if constexpr (Blend) {
-            const auto seen = detail::to_lanes<V>(sum);
-            for (int d = 0; d < 2; ++d)
-              detail::move_register<true, false>(body, p, size, d, seen[std::size_t(d)], seen[std::size_t(d) + 2],
-                                                 integrator, dt, limit);
-          }
+  return sum_work(body, partial, [&](std::size_t chunk, int count, std::int64_t& bad) {
+    double work = 0;
+    StepLimits<double> limit;
+    Word fastest{};  // corner
+    for (int l = 0; l < count; l += V::size) {
+      const std::size_t p = chunk + std::size_t(l);
+      const int size = std::min(V::size, count - l);
+      const detail::QuadWeights<V> w(body.shape, p, size);
+      Word first_pair[V::size], second_pair[V::size], sum[V::size], weight[V::size];
+      detail::to_words(w.weight[0], w.weight[1], w.weight[2], w.weight[3], weight);
+      for (int k = 0; k < V::size; ++k) {
+        const auto& quad = body.shape.quad[p + std::size_t(std::min(k, size - 1))];
+        Word at[4];
+        for (std::size_t c = 0; c < 4; ++c) {
+          detail::join(first_field[quad[c]], second_field[quad[c]], at[c]);
+          const Word speed = at[c] < 0 ? -at[c] : at[c];
+          fastest = speed > fastest ? speed : fastest;
         }
-        limit.speed = std::max(fastest[from], fastest[from + 1]);
-        if constexpr (strained != Strained::none) {
-          limits[chunk / chunk_size] = limit;
-        } else {
-          limits[chunk / chunk_size].speed = limit.speed;
-        }
-        return work;
-      });
+        sum[k] = weight[k][0] * at[0] + weight[k][1] * at[1] + (weight[k][2] * at[2] + weight[k][3] * at[3]);
+        first_pair[k] = at[0] - at[2], second_pair[k] = at[1] - at[3];
+      }
+      if constexpr (strained != Strained::none) {
+        const auto a = detail::to_lanes<V>(first_pair), b = detail::to_lanes<V>(second_pair);
+        Tensor<V> L;
+        L.xx = a[from] * w.gradient[0][0] + b[from] * w.gradient[1][0];
+        L.xy = a[from] * w.gradient[0][1] + b[from] * w.gradient[1][1];
+        L.yx = a[from + 1] * w.gradient[0][0] + b[from + 1] * w.gradient[1][0];
+        L.yy = a[from + 1] * w.gradient[0][1] + b[from + 1] * w.gradient[1][1];
+        work += mpm::strain(body, p, size, L, cell, time, dt, bad, limit);
+      }
+      if constexpr (Blend) {
+        const auto seen = detail::to_lanes<V>(sum);
+        for (int d = 0; d < 2; ++d)
+          detail::move_register<true, false>(body, p, size, d, seen[std::size_t(d)], seen[std::size_t(d) + 2],
+                                             integrator, dt, limit);
+      }
+    }
+    limit.speed = std::max(fastest[from], fastest[from + 1]);
+    if constexpr (strained != Strained::none) {
+      limits[chunk / chunk_size] = limit;
+    } else {
+      limits[chunk / chunk_size].speed = limit.speed;
+    }
+    return work;
+  });
 }
 
 }  // namespace mpm::lanes

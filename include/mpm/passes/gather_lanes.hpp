@@ -128,46 +128,45 @@ std::size_t update(Body& body, const Grid<S>& grid, const std::vector<Vector<S>>
   using Record = detail::GatherRecord<S>;
   constexpr int D = S::dimension, K = Body::Shape::axis_nodes;
   limits.resize(chunk_count(body));
-  return sum_work(
-      body, partial, [&](std::size_t first, int size, std::int64_t& bad) __attribute__((flatten)) {
-        detail::ChunkWeights<S, K> w;
-        StepLimits<typename S::Scalar> limit;
-        double work = 0;
-        if (!w.compute(body, first, size, grid)) {
-          for (std::size_t p = first; p < first + std::size_t(size); ++p) {
-            if constexpr (Blend) gather_velocity(body, p, grid, integrator);
-            if constexpr (strained == Strained::none) {
-              static_assert(!Move || Blend);
-              if constexpr (Move) ride<S>(body, p, make_stencil(body, p, grid), grid, dt, limit);
-            } else {
-              work += update_stress<Move>(body, p, grid, strained == Strained::by_first ? first_field : second_field,
-                                          grid.cell(), time, dt, bad, limit);
-            }
-          }
+  return sum_work(body, partial, [&](std::size_t first, int size, std::int64_t& bad) {
+    detail::ChunkWeights<S, K> w;
+    StepLimits<typename S::Scalar> limit;
+    double work = 0;
+    if (!w.compute(body, first, size, grid)) {
+      for (std::size_t p = first; p < first + std::size_t(size); ++p) {
+        if constexpr (Blend) gather_velocity(body, p, grid, integrator);
+        if constexpr (strained == Strained::none) {
+          static_assert(!Move || Blend);
+          if constexpr (Move) ride<S>(body, p, make_stencil(body, p, grid), grid, dt, limit);
         } else {
-          detail::Seen<S, strained, detail::continues_linearly<typename Body::Shape>> seen;
-          seen.template compute<Blend>(w, size, grid, first_field, second_field);
-          for (int l = 0; l < size; l += V::size) {
-            const std::size_t p = first + std::size_t(l);
-            std::array<V, 4> value[Record::words];
-            for (int k = 0; k < Record::words; ++k) value[k] = detail::to_lanes<V>(&seen.values[k][l]);
-            if constexpr (strained != Strained::none) {
-              const auto L = seen.template gradient<V>(l, grid.inverse_cell(), V::load(body.x(0) + p), value);
-              work += mpm::strain(body, p, size - l, L, grid.cell(), time, dt, bad, limit);
-            }
-            for (int d = 0; d < D; ++d)
-              detail::move_register<Blend, Move>(
-                  body, p, size - l, d, value[Record::word(0)][std::size_t(Record::slot(0) + d)],
-                  value[Record::word(1)][std::size_t(Record::slot(1) + d)], integrator, dt, limit);
-          }
+          work += update_stress<Move>(body, p, grid, strained == Strained::by_first ? first_field : second_field,
+                                      grid.cell(), time, dt, bad, limit);
         }
+      }
+    } else {
+      detail::Seen<S, strained, detail::continues_linearly<typename Body::Shape>> seen;
+      seen.template compute<Blend>(w, size, grid, first_field, second_field);
+      for (int l = 0; l < size; l += V::size) {
+        const std::size_t p = first + std::size_t(l);
+        std::array<V, 4> value[Record::words];
+        for (int k = 0; k < Record::words; ++k) value[k] = detail::to_lanes<V>(&seen.values[k][l]);
         if constexpr (strained != Strained::none) {
-          limits[first / chunk_size] = limit;
-        } else if constexpr (Move) {
-          limits[first / chunk_size].speed = limit.speed;
+          const auto L = seen.template gradient<V>(l, grid.inverse_cell(), V::load(body.x(0) + p), value);
+          work += mpm::strain(body, p, size - l, L, grid.cell(), time, dt, bad, limit);
         }
-        return work;
-      });
+        for (int d = 0; d < D; ++d)
+          detail::move_register<Blend, Move>(
+              body, p, size - l, d, value[Record::word(0)][std::size_t(Record::slot(0) + d)],
+              value[Record::word(1)][std::size_t(Record::slot(1) + d)], integrator, dt, limit);
+      }
+    }
+    if constexpr (strained != Strained::none) {
+      limits[first / chunk_size] = limit;
+    } else if constexpr (Move) {
+      limits[first / chunk_size].speed = limit.speed;
+    }
+    return work;
+  });
 }
 
 }  // namespace mpm::lanes
