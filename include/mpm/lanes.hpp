@@ -2,6 +2,7 @@
 #pragma once
 #include <mpm/tensor.hpp>
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -113,7 +114,9 @@ Lanes<T, N> by_eigen(const Lanes<T, N>& a, const F& f) {
 
 template <class T, int N>
 Lanes<T, N> sqrt(const Lanes<T, N>& a) {
-  return detail::by_eigen(a, [](const auto& x) { return x.sqrt(); });
+  Lanes<T, N> root;
+  for (int k = 0; k < N; ++k) root.v[k] = std::sqrt(a.v[k]);
+  return root;
 }
 template <class T, int N>
 Lanes<T, N> exp(const Lanes<T, N>& a) {
