@@ -85,11 +85,12 @@ template <class Shape>
 void plain_update(benchmark::State& state) {
   Case<Shape> c(state);
   constexpr bool move = Shape::domain_motion != DomainMotion::corners;
+  const ChunkList all(c.body.size());
   std::vector<double> partial;
   std::vector<StepLimits<double>> limits;
   for (auto _ : state) {
-    gather_velocity(c.body, c.grid, Usl{});
-    update_stress<move>(c.body, c.grid, c.grid.velocity, 1., 0., 0., partial, limits);
+    gather_velocity(c.body, all, c.grid, Usl{});
+    update_stress<move>(c.body, all, c.grid, c.grid.velocity, 1., 0., 0., partial, limits);
   }
   c.report(state);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/chunk_list.hpp>
 #include <mpm/grid.hpp>
 #include <mpm/shapes/tensor_product.hpp>
 #include <array>
@@ -20,23 +21,38 @@ class CornerNodes : public NodalFields<S> {
   using NodalFields<S>::increment;
   using NodalFields<S>::strain_velocity;
 
-  /// Finds the cell of every corner.
-  void locate(const std::vector<std::array<double, 2>>& corner, const Grid<S>& grid) {
-    const std::size_t n = corner.size();
-    std::int64_t strays = anchor_.size() != n;
+  /// The corners that are worked on, of those that there are, in chunks: those of the particles in `particles`.
+  template <class Shape>
+  void choose(const Shape& shape, const ChunkList& particles) {
+    const std::size_t n = shape.corner.size();
     mass.resize(n, 0);
     increment.resize(n, Vector<S>::Zero());
     velocity.resize(n, Vector<S>::Zero());
     anchor_.resize(n);
+    strip_begin_.clear();
+    needed_.assign(n / chunk_size + 1, 0);
+    for (std::size_t k = 0; k < particles.size(); ++k)
+      for (std::size_t p = particles.first(k); p < particles.first(k) + std::size_t(particles.count(k)); ++p)
+        for (const std::uint32_t c : shape.quad[p]) needed_[c / chunk_size] = 1;
+    chunks_.choose(n, [&](std::size_t begin, std::size_t) { return needed_[begin / chunk_size] != 0; });
+  }
+  const ChunkList& chunks() const { return chunks_; }
+
+  /// Finds the cell of every corner.
+  void locate(const std::vector<std::array<double, 2>>& corner, const Grid<S>& grid) {
+    std::int64_t strays = strip_begin_.empty();
     stride_ = grid.stride(1);
+    const std::int64_t chunks = std::int64_t(chunks_.size());
 #pragma omp parallel for schedule(static) reduction(+ : strays)
-    for (std::int64_t k = 0; k < std::int64_t(n); ++k) {
-      const std::size_t c = std::size_t(k);
-      const auto a = shapes::hat_axis(grid.coordinate(Scalar(corner[c][0]), 0), grid.cells(0));
-      const auto b = shapes::hat_axis(grid.coordinate(Scalar(corner[c][1]), 1), grid.cells(1));
-      const auto strip = std::uint32_t(b.first / Grid<S>::block_edge);
-      strays += strip != anchor_[c].strip;
-      anchor_[c] = {a.first + b.first * stride_, strip, a.w[1], b.w[1]};
+    for (std::int64_t k = 0; k < chunks; ++k) {
+      const std::size_t first = chunks_.first(std::size_t(k));
+      for (std::size_t c = first; c < first + std::size_t(chunks_.count(std::size_t(k))); ++c) {
+        const auto a = shapes::hat_axis(grid.coordinate(Scalar(corner[c][0]), 0), grid.cells(0));
+        const auto b = shapes::hat_axis(grid.coordinate(Scalar(corner[c][1]), 1), grid.cells(1));
+        const auto strip = std::uint32_t(b.first / Grid<S>::block_edge);
+        strays += strip != anchor_[c].strip;
+        anchor_[c] = {a.first + b.first * stride_, strip, a.w[1], b.w[1]};
+      }
     }
     if (strays > 0) order_by_strip(std::size_t(grid.strip_count()));
   }
@@ -56,7 +72,7 @@ class CornerNodes : public NodalFields<S> {
   }
   /// Interpolates nodal fields of the grid to the corners: own = sum w nodal.
   void gather(const std::vector<Vector<S>>& nodal, std::vector<Vector<S>>& own) const {
-    own.resize(anchor_.size());
+    own.resize(anchor_.size(), Vector<S>::Zero());
     for_each([&](std::size_t c) {
       Vector<S> value = Vector<S>::Zero();
       around(c, [&](int node, Scalar w) { value += w * nodal[node]; });
@@ -66,9 +82,7 @@ class CornerNodes : public NodalFields<S> {
   /// Calls f(corner) for every corner, in parallel; f may write to its own corner only.
   template <class F>
   void for_each(const F& f) const {
-    const std::int64_t count = std::int64_t(anchor_.size());
-#pragma omp parallel for schedule(static)
-    for (std::int64_t c = 0; c < count; ++c) f(std::size_t(c));
+    chunks_.for_each_entry(f);
   }
 
  private:
@@ -89,13 +103,19 @@ class CornerNodes : public NodalFields<S> {
   }
   void order_by_strip(std::size_t strips) {
     strip_begin_.assign(strips + 1, 0);
-    for (const auto& a : anchor_) ++strip_begin_[a.strip + 1];
+    const auto for_each_in_order = [&](const auto& f) {
+      for (std::size_t k = 0; k < chunks_.size(); ++k)
+        for (std::size_t c = chunks_.first(k); c < chunks_.first(k) + std::size_t(chunks_.count(k)); ++c) f(c);
+    };
+    for_each_in_order([&](std::size_t c) { ++strip_begin_[anchor_[c].strip + 1]; });
     for (std::size_t s = 0; s < strips; ++s) strip_begin_[s + 1] += strip_begin_[s];
     next_ = strip_begin_;
     order_.resize(anchor_.size());
-    for (std::uint32_t c = 0; c < anchor_.size(); ++c) order_[next_[anchor_[c].strip]++] = c;
+    for_each_in_order([&](std::size_t c) { order_[next_[anchor_[c].strip]++] = std::uint32_t(c); });
   }
 
+  ChunkList chunks_;
+  std::vector<char> needed_;
   std::vector<Anchor> anchor_;
   std::vector<std::uint32_t> order_;
   std::vector<std::size_t> strip_begin_, next_;

@@ -37,6 +37,10 @@ class Grid : public NodalFields<S> {
   using NodalFields<S>::velocity;
   using NodalFields<S>::increment;
 
+  /// Blocks that hold particles, none of which is worked on, since they rest; empty if there are none. See rest.hpp.
+  std::vector<char> asleep;
+  std::uint32_t rests = 0;  ///< counts the changes of it
+
   Grid() = default;
   /// A box from `origin` with `cells` cells of edge `cell` along each axis. Throws Error on a cell that is not positive
   /// or an empty box.
@@ -98,13 +102,18 @@ class Grid : public NodalFields<S> {
   }
   /// Marks a block and its neighbours: what particles in it can reach.
   void activate_around(int block) {
+    for_each_block_around(block, 1, [&](int b) { activate(b); });
+  }
+  /// Calls f(block) for a block and all within `reach` blocks of it.
+  template <class F>
+  void for_each_block_around(int block, int reach, const F& f) const {
     std::array<int, dimension> low, high;
-    for (int d = dimension - 1, rest = block; d >= 0; --d) {
-      const int i = rest / block_stride_[d];
-      rest %= block_stride_[d];
-      low[d] = std::max(i - 1, 0), high[d] = std::min(i + 1, block_count(d) - 1);
+    for (int d = dimension - 1; d >= 0; --d) {
+      const int i = block / block_stride_[d];
+      block %= block_stride_[d];
+      low[d] = std::max(i - reach, 0), high[d] = std::min(i + reach, block_count(d) - 1);
     }
-    for_each_index(low, high, [&](const auto& i) { activate(block_index(i)); });
+    for_each_index(low, high, [&](const auto& i) { f(block_index(i)); });
   }
   /// Marks the block of one node.
   void activate_node(int node) {
@@ -121,9 +130,25 @@ class Grid : public NodalFields<S> {
   /// Calls f(node) for every node of every active block, blocks in parallel.
   template <class F>
   void for_each_active(const F& f) const {
+    for_each_active_block([&](int block) { for_each_node(block, f); });
+  }
+  /// Calls f(block) for every active block, in parallel.
+  template <class F>
+  void for_each_active_block(const F& f) const {
     const int count = int(active_.size());
 #pragma omp parallel for schedule(static)
-    for (int a = 0; a < count; ++a) for_each_node(active_[a], f);
+    for (int a = 0; a < count; ++a) f(active_[a]);
+  }
+  /// Calls f(node) for every node of a block.
+  template <class F>
+  void for_each_node(int block, const F& f) const {
+    std::array<int, dimension> low, high;
+    for (int d = dimension - 1; d >= 0; --d) {
+      low[d] = block / block_stride_[d] * block_edge;
+      high[d] = std::min(low[d] + block_edge - 1, cells_[d]);
+      block %= block_stride_[d];
+    }
+    for_each_index(low, high, [&](const auto& i) { f(node_index(i)); });
   }
   /// Sum over active nodes of f(node), added in a fixed order: the same bits at any thread count.
   template <class F>
@@ -180,16 +205,6 @@ class Grid : public NodalFields<S> {
       for (i[2] = low[2]; i[2] <= high[2]; ++i[2])
         for (i[1] = low[1]; i[1] <= high[1]; ++i[1]) inner();
     }
-  }
-  template <class F>
-  void for_each_node(int block, const F& f) const {
-    std::array<int, dimension> low, high;
-    for (int d = dimension - 1; d >= 0; --d) {
-      low[d] = block / block_stride_[d] * block_edge;
-      high[d] = std::min(low[d] + block_edge - 1, cells_[d]);
-      block %= block_stride_[d];
-    }
-    for_each_index(low, high, [&](const auto& i) { f(node_index(i)); });
   }
 
   Vector<S> origin_ = Vector<S>::Zero();

@@ -142,7 +142,9 @@ class Solver {
     grid.deactivate_all();
     for_each_body([&](auto& b, auto& transfer) {
       if (steps == 0) check_policies(b);
-      if (const std::size_t p = first_unfit(b); p < b.size()) fail_unfit(b, p);
+      const bool known = transfer.chunks().entries() == b.size();
+      if (const std::size_t p = first_unfit(b, known ? transfer.chunks() : ChunkList(b.size())); p < b.size())
+        fail_unfit(b, p);
       transfer.locate(b, grid);
     });
     grid.sort_active();
@@ -279,24 +281,25 @@ class Solver {
   }
   /// First particle that no step can start from, or size().
   template <class B>
-  std::size_t first_unfit(const B& b) const {
+  std::size_t first_unfit(const B& b, const ChunkList& chunks) const {
     using V = typename B::Lane;
     const Scalar margin = grid.cell() / 2;
-    std::int64_t bad = std::int64_t(b.size());
-#pragma omp parallel for schedule(static) reduction(min : bad)
-    for (std::int64_t first = 0; first < std::int64_t(b.size()); first += V::size) {
-      const std::size_t p = std::size_t(first);
-      auto fit = V::load(b.volume() + p) > V(0);
-      for (int d = 0; d < S::dimension; ++d) {
-        const V x = V::load(b.x(d) + p);
-        fit = fit && x >= V(grid.origin()[d] - margin) && x <= V(grid.upper(d) + margin) &&
-              V(0) * V::load(b.v(d) + p) <= V(0);
+    return chunks.least([&](std::size_t first, int count) {
+      std::size_t bad = b.size();
+      for (int l = 0; l < count; l += V::size) {
+        const std::size_t p = first + std::size_t(l);
+        auto fit = V::load(b.volume() + p) > V(0);
+        for (int d = 0; d < S::dimension; ++d) {
+          const V x = V::load(b.x(d) + p);
+          fit = fit && x >= V(grid.origin()[d] - margin) && x <= V(grid.upper(d) + margin) &&
+                V(0) * V::load(b.v(d) + p) <= V(0);
+        }
+        if (any(!fit))
+          for (int k = 0; k < std::min(V::size, count - l); ++k)
+            if (!fit.v[k]) bad = std::min(bad, p + std::size_t(k));
       }
-      if (any(!fit))
-        for (int k = 0; k < V::size && p + std::size_t(k) < b.size(); ++k)
-          if (!fit.v[k]) bad = std::min(bad, first + k);
-    }
-    return std::size_t(bad);
+      return bad;
+    });
   }
   template <class B>
   [[noreturn]] void fail_unfit(const B& b, std::size_t p) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // expect: mpm::ShapeFunction: domain_motion is `corners`, so the shape must
-// expect: convect\(body, velocity, dt\), which moves its domains
+// expect: convect\(body, velocity, dt, corners, particles\), which moves its domains
 #include <mpm/mpm.hpp>
 
 struct Shape : mpm::CpdiQuad {

@@ -16,7 +16,7 @@ double step_of_gas(const BulkViscosity& viscosity, double closing) {
   const double c = std::sqrt(law.tangent(law.initial<double>(), 1.0).longitudinal / law.density);
   Grid<S> grid{{0, 0}, cell, {6, 6}};
   for (std::size_t n = 0; n < grid.size(); ++n) grid.velocity[n] = closing * c / cell / 2 * grid.position(int(n));
-  return stable_step(gas, grid) * c / cell;
+  return stable_step(gas, ChunkList(gas.size()), grid) * c / cell;
 }
 
 /// Von Neumann & Richtmyer's condition, 1/(sqrt(1 + x^2) + x) with x = c1 + c0 h |tr D|/c: .06 + 1.5 x .3 = .51.

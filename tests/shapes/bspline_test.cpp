@@ -38,7 +38,7 @@ struct Particle {
   double step(double xi) {
     const double c = std::sqrt(body.law.tangent(body.law.template initial<double>(), 1.).longitudinal);
     at(xi);
-    return stable_step(body, grid) * c / h;
+    return stable_step(body, ChunkList(body.size()), grid) * c / h;
   }
 };
 

@@ -143,15 +143,17 @@ TYPED_TEST_P(FastPasses, MoveAndStrainAsThePlainOnesDo) {
   std::vector<StepLimits<Real>> limits;
 
   auto plain = this->body, fast = this->body;
-  gather_velocity(plain, this->grid, blend);
-  EXPECT_EQ(update_stress<move>(plain, this->grid, this->grid.velocity, Real(1), Real(0), dt, partial, limits),
+  gather_velocity(plain, ChunkList(plain.size()), this->grid, blend);
+  EXPECT_EQ(update_stress<move>(plain, ChunkList(plain.size()), this->grid, this->grid.velocity, Real(1), Real(0), dt,
+                                partial, limits),
             plain.size());
   EXPECT_EQ((passes.template update<true, Strained::by_first, true>(fast, this->grid, blend, 0, dt)), fast.size());
   this->expect_equal(plain, fast);
 
   plain = fast = this->body;
-  gather_velocity(plain, this->grid, blend);
-  EXPECT_EQ(update_stress<move>(plain, this->grid, this->grid.strain_velocity, Real(1), Real(0), dt, partial, limits),
+  gather_velocity(plain, ChunkList(plain.size()), this->grid, blend);
+  EXPECT_EQ(update_stress<move>(plain, ChunkList(plain.size()), this->grid, this->grid.strain_velocity, Real(1),
+                                Real(0), dt, partial, limits),
             plain.size());
   passes.template update<true, Strained::none, false>(fast, this->grid, blend, 0, dt);
   EXPECT_EQ((passes.template update<false, Strained::by_second, true>(fast, this->grid, blend, 0, dt)), fast.size());
@@ -168,9 +170,10 @@ TYPED_TEST_P(FastPasses, FindTheStableStepThatThePlainOneFinds) {
   }
   typename TestFixture::Passes passes;
   passes.locate(rock, this->grid);
-  EXPECT_EQ(passes.stable_step(rock, this->grid), stable_step(rock, this->grid)) << "before the first step";
+  EXPECT_EQ(passes.stable_step(rock, this->grid), stable_step(rock, ChunkList(rock.size()), this->grid))
+      << "before the first step";
   passes.template update<false, Strained::by_first, false>(rock, this->grid, Usl{}, 0, 0);  // at rest
-  const Real plain = stable_step(rock, this->grid), fast = passes.stable_step(rock, this->grid);
+  const Real plain = stable_step(rock, ChunkList(rock.size()), this->grid), fast = passes.stable_step(rock, this->grid);
   EXPECT_LE(fast, plain * Real(1 + 1e-5));
   EXPECT_GE(fast, plain * Real(.85)) << "the largest terms of a chunk need not meet in one particle";
 }

@@ -70,7 +70,7 @@ std::size_t inverted(double share) {
   std::vector<Vector<S>> velocity(4, Vector<S>::Zero());
   for (std::size_t c = 0; c < 4; ++c)
     if (body.shape.corner[c][0] > 19.5 && body.shape.corner[c][1] > 19.5) velocity[c] = Vector<S>{-share, -share};
-  return body.shape.convect(body, velocity, 1.);
+  return body.shape.convect(body, velocity, 1., ChunkList(4), ChunkList(1));
 }
 
 // Where the diagonals cross no more, weights turn negative; past the other diagonal there is no area. A parallelogram

@@ -59,8 +59,8 @@ struct Apic {
   }
   /// B = sum w v_I (x_I - x_p)^T.
   template <class Body, class S, class ColumnsT>
-  static void gather_columns(const Body& body, const Grid<S>& grid, ColumnsT& B) {
-    for_each_particle(body, [&](std::size_t p) {
+  static void gather_columns(const Body& body, const ChunkList& chunks, const Grid<S>& grid, ColumnsT& B) {
+    chunks.for_each_entry([&](std::size_t p) {
       const Vector<S> x = body.position(p);
       Matrix<S> sum = Matrix<S>::Zero();
       for (const auto& [I, w, grad] : make_stencil(body, p, grid))

@@ -89,16 +89,16 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, CornerNodes<S>
 /// The twin of lanes::update for particles that see their own corners. Positions and volumes follow in
 /// CpdiQuad::convect.
 template <bool Blend, Strained strained, class Body, class Integrator, class S = typename Body::SpaceType>
-std::size_t update(Body& body, const CornerNodes<S>&, const std::vector<Vector<S>>& first_field,
+std::size_t update(Body& body, const ChunkList& chunks, const std::vector<Vector<S>>& first_field,
                    const std::vector<Vector<S>>& second_field, double cell, const Integrator& integrator, double time,
                    double dt, std::vector<double>& partial, std::vector<StepLimits<double>>& limits) {
   using V = typename Body::Lane;
   using Word = detail::Word<double>;
   constexpr std::size_t from = strained == Strained::by_second ? 2 : 0;
   limits.resize(chunk_count(body));
-  return sum_work(body, partial, [&](std::size_t chunk, int count, std::int64_t& bad) {
+  return sum_work(body, chunks, partial, [&](std::size_t chunk, int count, std::int64_t& bad) {
     double work = 0;
-    StepLimits<double> limit;
+    StepLimits<double> limit{.known = true};
     Word fastest{};  // corner
     for (int l = 0; l < count; l += V::size) {
       const std::size_t p = chunk + std::size_t(l);

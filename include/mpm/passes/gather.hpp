@@ -40,8 +40,8 @@ void gather_velocity(Body& body, std::size_t p, const Nodes& nodes, const Integr
   for (int d = 0; d < S::dimension; ++d) body.v(d)[p] = integrator.particle_velocity(body.v(d)[p], v[d], increment[d]);
 }
 template <class Body, class Nodes, class Integrator>
-void gather_velocity(Body& body, const Nodes& nodes, const Integrator& integrator) {
-  for_each_particle(body, [&](std::size_t p) { gather_velocity(body, p, nodes, integrator); });
+void gather_velocity(Body& body, const ChunkList& chunks, const Nodes& nodes, const Integrator& integrator) {
+  chunks.for_each_entry([&](std::size_t p) { gather_velocity(body, p, nodes, integrator); });
 }
 
 }  // namespace mpm

@@ -120,7 +120,7 @@ struct Seen {
 /// strain and stress, and position (`Move`). Returns the first particle whose volume or stress is no longer a finite
 /// positive number, or body.size(); `limits` gets those of every chunk.
 template <bool Blend, Strained strained, bool Move, class Body, class Integrator, class S = typename Body::SpaceType>
-std::size_t update(Body& body, const Grid<S>& grid, const std::vector<Vector<S>>& first_field,
+std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, const std::vector<Vector<S>>& first_field,
                    const std::vector<Vector<S>>& second_field, const Integrator& integrator, typename S::Scalar time,
                    typename S::Scalar dt, std::vector<double>& partial,
                    std::vector<StepLimits<typename S::Scalar>>& limits) {
@@ -128,9 +128,9 @@ std::size_t update(Body& body, const Grid<S>& grid, const std::vector<Vector<S>>
   using Record = detail::GatherRecord<S>;
   constexpr int D = S::dimension, K = Body::Shape::axis_nodes;
   limits.resize(chunk_count(body));
-  return sum_work(body, partial, [&](std::size_t first, int size, std::int64_t& bad) {
+  return sum_work(body, chunks, partial, [&](std::size_t first, int size, std::int64_t& bad) {
     detail::ChunkWeights<S, K> w;
-    StepLimits<typename S::Scalar> limit;
+    StepLimits<typename S::Scalar> limit{.known = true};
     double work = 0;
     if (!w.compute(body, first, size, grid)) {
       for (std::size_t p = first; p < first + std::size_t(size); ++p) {

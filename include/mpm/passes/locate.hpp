@@ -23,7 +23,17 @@ struct ParticleOrder {
   std::vector<std::size_t> strip_begin;    ///< first particle of each strip, and of the tail at the end
   std::vector<std::uint32_t> permutation;  ///< work arrays of the counting sort
   std::vector<std::uint32_t> next;
+  ChunkList chunks;                  ///< those that are worked on: all, unless their blocks rest
+  std::vector<std::size_t> run;      ///< begin and end of what is worked on in each strip, piece by piece
+  std::vector<std::size_t> run_end;  ///< behind the last piece of each strip, in `run`
+  std::uint32_t rests_seen = 0;      ///< Grid::rests when the chunks were chosen
+
   std::size_t tail_begin() const { return strip_begin.back(); }
+  /// Calls f(begin, end) for every piece of a strip that is worked on.
+  template <class F>
+  void for_each_run(std::size_t strip, const F& f) const {
+    for (std::size_t k = strip == 0 ? 0 : run_end[strip - 1]; k < run_end[strip]; k += 2) f(run[k], run[k + 1]);
+  }
 };
 
 /// w_Ip and grad w_Ip of particle p.
@@ -139,17 +149,18 @@ bool find_places(const Body& body, const Grid<S>& grid, ParticleOrder& order) {
   std::int64_t lost = 0, out_of_order = 0;
 #pragma omp parallel for schedule(dynamic, 1) reduction(+ : lost, out_of_order)
   for (std::int64_t s = 0; s < strips; ++s) {
-    const std::size_t begin = order.strip_begin[std::size_t(s)], end = order.strip_begin[std::size_t(s) + 1];
-    if constexpr (has_fixed_stencil<typename Body::Shape>) {
-      lost += find_fixed_places(body, grid, order.key.data(), begin, end, int(s));
-    } else {
-      for (std::size_t p = begin; p < end; ++p) {
-        const Place place = place_of(body, p, grid);
-        lost += !place.template fits<S>(int(s));
-        order.key[p] = place.key;
+    order.for_each_run(std::size_t(s), [&](std::size_t begin, std::size_t end) {
+      if constexpr (has_fixed_stencil<typename Body::Shape>) {
+        lost += find_fixed_places(body, grid, order.key.data(), begin, end, int(s));
+      } else {
+        for (std::size_t p = begin; p < end; ++p) {
+          const Place place = place_of(body, p, grid);
+          lost += !place.template fits<S>(int(s));
+          order.key[p] = place.key;
+        }
       }
-    }
-    for (std::size_t p = begin + 1; p < end; ++p) out_of_order += order.key[p] < order.key[p - 1];
+      for (std::size_t p = begin + 1; p < end; ++p) out_of_order += order.key[p] < order.key[p - 1];
+    });
   }
   return lost > 0 || out_of_order > std::int64_t(body.size() / 16);
 }
@@ -181,32 +192,70 @@ void sort_particles(Body& body, const Grid<S>& grid, ParticleOrder& order) {
   body.permute({order.permutation.data(), n});
 }
 
+/// Lists the chunks that have a particle in a block that is awake, and the pieces of strips that they make.
+template <class S>
+void choose_chunks(const Grid<S>& grid, ParticleOrder& order) {
+  order.chunks.choose(order.key.size(), [&](std::size_t begin, std::size_t end) {
+    bool awake = end > order.tail_begin() || grid.asleep.empty();
+    for (std::size_t p = begin; p < end && !awake; ++p) awake = !grid.asleep[order.key[p] / grid.nodes_per_block];
+    return awake;
+  });
+  order.run.clear();
+  order.run_end.clear();
+  std::size_t k = 0;
+  for (std::size_t s = 0; s + 1 < order.strip_begin.size(); ++s) {
+    const std::size_t strip_end = order.strip_begin[s + 1];
+    std::size_t end = order.strip_begin[s];
+    while (k < order.chunks.size() && order.chunks.first(k) < strip_end) {
+      const std::size_t chunk_end = order.chunks.first(k) + std::size_t(order.chunks.count(k));
+      const std::size_t first = std::max(order.chunks.first(k), order.strip_begin[s]),
+                        last = std::min(chunk_end, strip_end);
+      if (first == end && order.run.size() > (s == 0 ? 0 : order.run_end[s - 1])) {
+        order.run.back() = last;
+      } else if (first < last) {
+        order.run.push_back(first), order.run.push_back(last);
+      }
+      end = last;
+      if (chunk_end > strip_end) break;  // goes on in the next strip
+      ++k;
+    }
+    order.run_end.push_back(order.run.size());
+  }
+  order.rests_seen = grid.rests;
+}
+
 }  // namespace detail
 
-/// Finds the place of every particle unless all are `settled`, reorders the body where needed, and marks the blocks in
-/// use. Returns whether it was reordered, by order.permutation.
+/// What `locate` has changed.
+enum class Relocated { nothing, chunks, order };
+
+/// Finds the place of every particle that is worked on, unless all are `settled`, reorders the body where needed, by
+/// order.permutation, and marks the blocks in use.
 template <class Body, class S>
-bool locate(Body& body, Grid<S>& grid, ParticleOrder& order, bool settled = false) {
+Relocated locate(Body& body, Grid<S>& grid, ParticleOrder& order, bool settled = false) {
   const std::size_t n = body.size();
   const bool known = order.key.size() == n && order.strip_begin.size() == std::size_t(grid.strip_count()) + 1;
   if (!known) order.strip_begin.assign(std::size_t(grid.strip_count()) + 1, 0);
   const bool sort = !known || (!settled && detail::find_places(body, grid, order));
   if (sort) detail::sort_particles(body, grid, order);
+  const bool choose = sort || order.rests_seen != grid.rests;
+  if (choose) detail::choose_chunks(grid, order);
   std::uint32_t last = std::uint32_t(-1);
-  for (std::size_t p = 0; p < order.tail_begin(); ++p) {
-    const std::uint32_t block = order.key[p] / grid.nodes_per_block;
-    if (block != last) grid.activate_around(int(block));
-    last = block;
-  }
+  for (std::size_t k = 0; k < order.run.size(); k += 2)
+    for (std::size_t p = order.run[k]; p < order.run[k + 1]; ++p) {
+      const std::uint32_t block = order.key[p] / grid.nodes_per_block;
+      if (block != last) grid.activate_around(int(block));
+      last = block;
+    }
   for (std::size_t p = order.tail_begin(); p < n; ++p) {
     for (const auto& entry : make_stencil(body, p, grid)) grid.activate_node(entry.node);
   }
-  return sort;
+  return sort ? Relocated::order : choose ? Relocated::chunks : Relocated::nothing;
 }
 
-/// Calls f(begin, end) for the particles of every strip such that no two threads touch one node: even strips at once,
-/// then odd ones. The order is fixed, so sums have the same bits at any thread count. Returns the least of what f
-/// returns.
+/// Calls f(begin, end) for the particles of every strip that are worked on, such that no two threads touch one node:
+/// even strips at once, then odd ones. The order is fixed, so sums have the same bits at any thread count. Returns the
+/// least of what f returns.
 template <class F>
 std::size_t for_each_strip(const ParticleOrder& order, const F& f) {
   const int strips = int(order.strip_begin.size()) - 1;
@@ -215,12 +264,13 @@ std::size_t for_each_strip(const ParticleOrder& order, const F& f) {
   for (int colour = 0; colour < 2; ++colour) {
 #pragma omp for schedule(dynamic, 1)
     for (int s = colour; s < strips; s += 2)
-      least = std::min(least, f(order.strip_begin[std::size_t(s)], order.strip_begin[std::size_t(s) + 1]));
+      order.for_each_run(std::size_t(s),
+                         [&](std::size_t begin, std::size_t end) { least = std::min(least, f(begin, end)); });
   }
   return least;
 }
 
-/// Calls f(p) for every particle, strip by strip, then for the wide particles one by one.
+/// Calls f(p) for every particle that is worked on, strip by strip, then for the wide particles one by one.
 template <class F>
 void for_each_coloured(const ParticleOrder& order, const F& f) {
   for_each_strip(order, [&](std::size_t begin, std::size_t end) {
@@ -228,14 +278,6 @@ void for_each_coloured(const ParticleOrder& order, const F& f) {
     return end;
   });
   for (std::size_t p = order.tail_begin(); p < order.key.size(); ++p) f(p);
-}
-
-/// Calls f(p) for every particle, in parallel; f may write to its own particle only.
-template <class Body, class F>
-void for_each_particle(const Body& body, const F& f) {
-  const std::int64_t count = std::int64_t(body.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t p = 0; p < count; ++p) f(std::size_t(p));
 }
 
 }  // namespace mpm

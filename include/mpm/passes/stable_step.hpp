@@ -55,30 +55,44 @@ typename S::Scalar irons_step(const Out& stencil, const Moduli<typename S::Scala
   return 2 / std::sqrt((shear + lambda * sum) / density);
 }
 
-/// The step that is safe for every particle of the body: Irons' bound with the tangent moduli, reduced for bulk
-/// viscosity, and abs(v) dt < h / 2, abs(grad v) dt < 0.1.
+/// The step that is safe for particle p: Irons' bound with the tangent moduli, reduced for bulk viscosity, and
+/// abs(v) dt < h / 2, abs(grad v) dt < 0.1; zero if there is none.
 template <class Body, class S>
-typename S::Scalar stable_step(const Body& body, const Grid<S>& grid) {
+typename S::Scalar stable_step(const Body& body, std::size_t p, const Grid<S>& grid) {
   using Scalar = typename S::Scalar;
+  const auto stencil = make_stencil(body, p, grid);
+  const auto moduli = body.law.tangent(body.state(p), body.relative_volume(p));
+  const Scalar density = body.mass()[p] / body.volume()[p];
+  Scalar dt = irons_step<S>(stencil, moduli, density, body.x(0)[p]);
+  const auto L = velocity_gradient<S>(stencil, grid.velocity, body.x(0)[p]);
+  if constexpr (requires { body.law.viscosity; })
+    dt *= body.law.viscosity.step_factor(std::sqrt(moduli.longitudinal / density), trace(L), grid.cell());
+  const Scalar gradient = std::sqrt(inner(symmetric(L), symmetric(L)));
+  dt = std::min(dt, Scalar(0.1) / std::max(gradient, std::numeric_limits<Scalar>::min()));
+  for (int d = 0; d < S::dimension; ++d)
+    dt = std::min(dt, grid.cell() / 2 / std::max(std::abs(body.v(d)[p]), std::numeric_limits<Scalar>::min()));
+  return std::isfinite(dt) ? dt : Scalar(0);
+}
+/// The least of the steps that f(first, count) allows the chunks.
+template <class Scalar, class F>
+Scalar least_step(const ChunkList& chunks, const F& f) {
   Scalar limit = std::numeric_limits<Scalar>::max();
-  const std::int64_t count = std::int64_t(body.size());
+  const std::int64_t count = std::int64_t(chunks.size());
 #pragma omp parallel for schedule(static) reduction(min : limit)
-  for (std::int64_t q = 0; q < count; ++q) {
-    const std::size_t p = std::size_t(q);
-    const auto stencil = make_stencil(body, p, grid);
-    const auto moduli = body.law.tangent(body.state(p), body.relative_volume(p));
-    const Scalar density = body.mass()[p] / body.volume()[p];
-    Scalar dt = irons_step<S>(stencil, moduli, density, body.x(0)[p]);
-    const auto L = velocity_gradient<S>(stencil, grid.velocity, body.x(0)[p]);
-    if constexpr (requires { body.law.viscosity; })
-      dt *= body.law.viscosity.step_factor(std::sqrt(moduli.longitudinal / density), trace(L), grid.cell());
-    const Scalar gradient = std::sqrt(inner(symmetric(L), symmetric(L)));
-    dt = std::min(dt, Scalar(0.1) / std::max(gradient, std::numeric_limits<Scalar>::min()));
-    for (int d = 0; d < S::dimension; ++d)
-      dt = std::min(dt, grid.cell() / 2 / std::max(std::abs(body.v(d)[p]), std::numeric_limits<Scalar>::min()));
-    limit = std::min(limit, std::isfinite(dt) ? dt : Scalar(0));
-  }
+  for (std::int64_t k = 0; k < count; ++k)
+    limit = std::min(limit, f(chunks.first(std::size_t(k)), chunks.count(std::size_t(k))));
   return limit;
+}
+/// The step that is safe for every particle of the chunks, particle by particle: the plain form.
+template <class Body, class S>
+typename S::Scalar stable_step(const Body& body, const ChunkList& chunks, const Grid<S>& grid) {
+  using Scalar = typename S::Scalar;
+  return least_step<Scalar>(chunks, [&](std::size_t first, int count) {
+    Scalar limit = std::numeric_limits<Scalar>::max();
+    for (std::size_t p = first; p < first + std::size_t(count); ++p)
+      limit = std::min(limit, stable_step(body, p, grid));
+    return limit;
+  });
 }
 
 namespace detail {
@@ -156,25 +170,25 @@ GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int c
 
 }  // namespace detail
 
-/// The same from the limits that the last step left for every chunk of the body, and the stiffness of the grid to each,
-/// `stiffness(c, first, count)`. Moduli, rates and speeds are those at the end of the last step, the largest of a
-/// chunk.
-template <class Body, class Scalar, class Stiffness>
-Scalar stable_step(const Body& body, const std::vector<StepLimits<Scalar>>& limits, Scalar cell,
-                   const Stiffness& stiffness) {
-  Scalar limit = std::numeric_limits<Scalar>::max();
-  const std::int64_t chunks = std::int64_t(limits.size());
-#pragma omp parallel for schedule(static) reduction(min : limit)
-  for (std::int64_t c = 0; c < chunks; ++c) {
-    const std::size_t first = std::size_t(c) * chunk_size, end = std::min(first + chunk_size, body.size());
-    const StepLimits<Scalar>& l = limits[std::size_t(c)];
-    const auto b = stiffness(std::size_t(c), first, int(end - first));
+/// The same from the limits that the last step left for every chunk, and the stiffness of the grid to each,
+/// `stiffness(first, count)`; chunks of which they are not known are looked at plainly. Moduli, rates and speeds are
+/// those at the end of the last step, the largest of a chunk.
+template <class Body, class S, class Stiffness, class Scalar = typename S::Scalar>
+Scalar stable_step(const Body& body, const ChunkList& chunks, const Grid<S>& grid,
+                   const std::vector<StepLimits<Scalar>>& limits, const Stiffness& stiffness) {
+  return least_step<Scalar>(chunks, [&](std::size_t first, int count) {
+    const StepLimits<Scalar>& l = limits[first / chunk_size];
     constexpr Scalar tiny = std::numeric_limits<Scalar>::min();
-    Scalar dt = 2 / std::sqrt(l.shear * b.shear + l.lambda * b.lambda);
-    dt = std::min({dt, Scalar(0.1) / std::sqrt(std::max(l.rate, tiny)), cell / 2 / std::max(l.speed, tiny)});
-    limit = std::min(limit, std::isfinite(dt) ? dt : Scalar(0));
-  }
-  return limit;
+    Scalar dt = std::numeric_limits<Scalar>::max();
+    if (!l.known) {
+      for (std::size_t p = first; p < first + std::size_t(count); ++p) dt = std::min(dt, stable_step(body, p, grid));
+      return dt;
+    }
+    const auto b = stiffness(first, count);
+    dt = 2 / std::sqrt(l.shear * b.shear + l.lambda * b.lambda);
+    dt = std::min({dt, Scalar(0.1) / std::sqrt(std::max(l.rate, tiny)), grid.cell() / 2 / std::max(l.speed, tiny)});
+    return std::isfinite(dt) ? dt : Scalar(0);
+  });
 }
 
 }  // namespace mpm

@@ -43,11 +43,23 @@ class Transfer {
     const bool settled =
         by_corners && limits_.size() == chunk_count(body) && strayed_ < Scalar(detail::slack<Shape>) * grid.cell();
     if (!settled) strayed_ = 0;
-    if (mpm::locate(body, grid, order_, settled)) {
+    const Relocated changed = mpm::locate(body, grid, order_, settled);
+    if (changed == Relocated::order) {
       columns_.permute({order_.permutation.data(), body.size()}, scratch_);
-      limits_.clear();
+      forget();
     }
-    if constexpr (by_corners) corners_.locate(body.shape.corner, grid);
+    limits_.resize(chunk_count(body));
+    if constexpr (by_corners) {
+      if (changed != Relocated::nothing) corners_.choose(body.shape, order_.chunks);
+      corners_.locate(body.shape.corner, grid);
+    }
+  }
+  /// The chunks of particles that are worked on, of as many as there were when they were last located.
+  const ChunkList& chunks() const { return order_.chunks; }
+  /// Calls f(block) for the block of every particle, those of wide domains left out.
+  template <class F>
+  void for_each_block(const F& f) const {
+    for (std::size_t p = 0; p < order_.tail_begin(); ++p) f(int(order_.key[p] / Grid<S>::nodes_per_block));
   }
   const auto& nodes(const Grid<S>& grid) const {
     if constexpr (by_corners) {
@@ -81,9 +93,8 @@ class Transfer {
   template <bool Blend, Strained strained, bool Move>
   std::size_t update(Body& body, const Grid<S>& grid, const IntegratorT& integrator, Scalar time, Scalar dt) {
     constexpr bool second = Blend || strained == Strained::by_second;
-    if constexpr (column_count > 0 && Blend) IntegratorT::gather_columns(body, grid, columns_);
+    if constexpr (column_count > 0 && Blend) IntegratorT::gather_columns(body, order_.chunks, grid, columns_);
     const auto& own = nodes(grid);
-    const bool limits_known = strained != Strained::none || limits_.size() == chunk_count(body);
     if constexpr (by_corners) {
       corners_.gather(grid.velocity, corners_.velocity);
       if constexpr (Blend) corners_.gather(grid.increment, corners_.increment);
@@ -92,20 +103,20 @@ class Transfer {
     const auto& other = !second ? own.velocity : Blend ? own.increment : own.strain_velocity;
     std::size_t bad = body.size();
     if constexpr (corners_in_lanes) {
-      bad = lanes::update<Blend, strained>(body, corners_, own.velocity, other, grid.cell(), integrator, time, dt,
+      bad = lanes::update<Blend, strained>(body, order_.chunks, own.velocity, other, grid.cell(), integrator, time, dt,
                                            partial_, limits_);
     } else if constexpr (in_modes) {
-      bad = lanes::update<Blend, strained, Move>(body, grid, own.velocity, other, integrator, time, dt, partial_,
-                                                 limits_);
+      bad = lanes::update<Blend, strained, Move>(body, order_.chunks, grid, own.velocity, other, integrator, time, dt,
+                                                 partial_, limits_);
     } else {
-      if constexpr (Blend) gather_velocity(body, own, integrator);
+      if constexpr (Blend) gather_velocity(body, order_.chunks, own, integrator);
       if constexpr (strained != Strained::none) {
-        bad = update_stress < Move &&
-              !by_corners > (body, own, strained == Strained::by_first ? own.velocity : own.strain_velocity,
-                             grid.cell(), time, dt, partial_, limits_);
+        bad =
+            update_stress < Move && !by_corners > (body, order_.chunks, own,
+                                                   strained == Strained::by_first ? own.velocity : own.strain_velocity,
+                                                   grid.cell(), time, dt, partial_, limits_);
       } else if constexpr (Move && !by_corners) {
-        limits_.resize(chunk_count(body));
-        for_each_chunk(body, [&](std::size_t first, int count) {
+        order_.chunks.for_each([&](std::size_t first, int count) {
           StepLimits<Scalar>& limit = limits_[first / chunk_size];
           limit.speed = 0;
           for (std::size_t p = first; p < first + std::size_t(count); ++p)
@@ -117,11 +128,9 @@ class Transfer {
       Scalar fastest = 0;
       for (const Vector<S>& v : strained == Strained::by_second ? corners_.strain_velocity : corners_.velocity)
         fastest = std::max(fastest, v.cwiseAbs().maxCoeff());
-      limits_.resize(chunk_count(body));
       for (auto& limit : limits_) limit.speed = fastest;
     }
     if constexpr (Move && !in_modes) note_motion(grid, dt);
-    if (!limits_known) limits_.clear();
     return bad;
   }
   /// Corners ride the nodes, with the field that strained the particles. Returns the first particle whose domain has
@@ -130,11 +139,11 @@ class Transfer {
   std::size_t convect(Body& body, Scalar dt) {
     if constexpr (by_corners) {
       static_assert(
-          requires { body.shape.convect(body, corners_.velocity, dt); },
+          requires { body.shape.convect(body, corners_.velocity, dt, corners_.chunks(), order_.chunks); },
           "mpm::ShapeFunction: domain_motion is `corners`, so the shape must have the member convect(body, velocity, "
-          "dt), which moves its domains");
+          "dt, corners, particles), which moves its domains");
       return body.shape.convect(body, strained == Strained::by_second ? corners_.strain_velocity : corners_.velocity,
-                                dt);
+                                dt, corners_.chunks(), order_.chunks);
     } else {
       return body.size();
     }
@@ -160,18 +169,16 @@ class Transfer {
   /// The largest stable step of the body. Domains that move with the particles keep the stiffness of their stencils
   /// while they have moved by less than a fiftieth of a cell: CPDI weights have no kinks that would make it jump.
   Scalar stable_step(const Body& body, const Grid<S>& grid) {
-    if (IntegratorT::step_interval > 1 || limits_.size() != chunk_count(body)) {
-      motion_.clear();
-      return mpm::stable_step(body, grid);
-    }
+    if (IntegratorT::step_interval > 1) return mpm::stable_step(body, order_.chunks, grid);
     if constexpr (HasModes<Body>) {
-      return mpm::stable_step(body, limits_, grid.cell(), [&](std::size_t, std::size_t first, int count) {
+      return mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
         return detail::chunk_stiffness(body, first, count, grid);
       });
     } else {
       motion_.resize(limits_.size(), std::numeric_limits<Scalar>::max());
       stiffness_.resize(limits_.size());
-      return mpm::stable_step(body, limits_, grid.cell(), [&](std::size_t c, std::size_t first, int count) {
+      return mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
+        const std::size_t c = first / chunk_size;
         if (motion_[c] > grid.cell() / 50) {
           stiffness_[c] = detail::chunk_stiffness(body, first, count, grid);
           motion_[c] = 0;
@@ -182,7 +189,10 @@ class Transfer {
   }
 
   /// Forgets what the last step knew of the particles.
-  void forget() { limits_.clear(); }
+  void forget() {
+    limits_.clear();
+    motion_.clear();
+  }
 
   const Columns<Scalar, column_count>& columns() const { return columns_; }
 
@@ -240,7 +250,7 @@ class Transfer {
   std::vector<Scalar> scratch_;
   std::conditional_t<by_corners, CornerNodes<S>, NodalFields<S>> corners_;
   std::vector<double> partial_;
-  std::vector<StepLimits<Scalar>> limits_;                ///< of every chunk, empty where they are not known
+  std::vector<StepLimits<Scalar>> limits_;                ///< of every chunk
   std::vector<detail::GridStiffness<Scalar>> stiffness_;  ///< of every chunk
   std::vector<Scalar> motion_;                            ///< of every chunk since then, m
   Scalar strayed_ = 0;                                    ///< largest motion since the places were found, m

@@ -16,6 +16,7 @@ struct StepLimits {
   Scalar lambda = 0, shear = 0;  ///< moduli over the density and over the squared factor of the viscosity, m2/s2
   Scalar rate = 0;               ///< squared norm of the rate of deformation, 1/s2
   Scalar speed = 0;              ///< component of the velocity that moves them, m/s
+  bool known = false;            ///< from a strain since the particles were ordered
 
   /// Raises `limit` to `value`; what is no number stays to be found.
   static void raise(Scalar& limit, Scalar value) { limit = value <= limit || limit != limit ? limit : value; }
@@ -85,27 +86,16 @@ template <class Body>
 std::size_t chunk_count(const Body& body) {
   return (body.size() + chunk_size - 1) / chunk_size;
 }
-/// Calls f(first, count) for every chunk of a body, in parallel.
+/// Calls f(first, count, bad) for every chunk; it returns the work done and lowers `bad` to a particle whose state is
+/// no longer sound. The work is added to the body's in a fixed order. Returns the first bad particle, or body.size().
 template <class Body, class F>
-void for_each_chunk(const Body& body, const F& f) {
-  const std::int64_t chunks = std::int64_t(chunk_count(body));
-#pragma omp parallel for schedule(static)
-  for (std::int64_t c = 0; c < chunks; ++c) {
-    const std::size_t first = std::size_t(c) * chunk_size;
-    f(first, int(std::min<std::size_t>(chunk_size, body.size() - first)));
-  }
-}
-/// Calls f(first, count, bad) for every chunk of a body; it returns the work done and lowers `bad` to a particle whose
-/// state is no longer sound. The work is added to the body's in a fixed order. Returns the first bad particle, or
-/// body.size().
-template <class Body, class F>
-std::size_t sum_work(Body& body, std::vector<double>& partial, const F& f) {
-  partial.resize(chunk_count(body));
+std::size_t sum_work(Body& body, const ChunkList& chunks, std::vector<double>& partial, const F& f) {
+  partial.resize(chunks.size());
   std::int64_t bad = std::int64_t(body.size());
 #pragma omp parallel for schedule(static) reduction(min : bad)
   for (std::int64_t c = 0; c < std::int64_t(partial.size()); ++c) {
-    const std::size_t first = std::size_t(c) * chunk_size;
-    partial[std::size_t(c)] = f(first, int(std::min<std::size_t>(chunk_size, body.size() - first)), bad);
+    const std::size_t k = std::size_t(c);
+    partial[k] = f(chunks.first(k), chunks.count(k), bad);
   }
   double work = 0;
   for (double w : partial) work += w;
@@ -126,7 +116,7 @@ double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::v
   return work;
 }
 
-/// Strains every particle with the nodal velocities, moves its volume (and F) along, and calls the law.
+/// Strains every particle of the chunks with the nodal velocities, moves its volume (and F) along, and calls the law.
 ///
 /// With Move the particle then rides the nodes, x_p += dt sum w_Ip v_I, with the very weights that strained it: those
 /// of its new domain may rest on nodes that hold next to nothing.
@@ -135,13 +125,13 @@ double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::v
 /// particle whose volume or stress is no longer a finite positive number, or body.size(); `limits` gets those of every
 /// chunk.
 template <bool Move, class Body, class Nodes, class S = typename Body::SpaceType, class Scalar = typename S::Scalar>
-std::size_t update_stress(Body& body, const Nodes& nodes, const std::vector<Vector<S>>& velocity, Scalar cell,
-                          Scalar time, Scalar dt, std::vector<double>& partial,
-                          std::vector<StepLimits<Scalar>>& limits) {
+std::size_t update_stress(Body& body, const ChunkList& chunks, const Nodes& nodes,
+                          const std::vector<Vector<S>>& velocity, Scalar cell, Scalar time, Scalar dt,
+                          std::vector<double>& partial, std::vector<StepLimits<Scalar>>& limits) {
   limits.resize(chunk_count(body));
-  return sum_work(body, partial, [&](std::size_t first, int count, std::int64_t& bad) {
+  return sum_work(body, chunks, partial, [&](std::size_t first, int count, std::int64_t& bad) {
     double sum = 0;
-    StepLimits<Scalar> limit;
+    StepLimits<Scalar> limit{.known = true};
     for (std::size_t p = first; p < first + std::size_t(count); ++p)
       sum += update_stress<Move>(body, p, nodes, velocity, cell, time, dt, bad, limit);
     limits[first / chunk_size] = limit;

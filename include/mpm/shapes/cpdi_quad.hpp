@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <mpm/chunk_list.hpp>
 #include <mpm/concepts/shape_function.hpp>
 #include <mpm/shapes/cpdi.hpp>
 #include <algorithm>
@@ -106,29 +107,29 @@ struct CpdiQuad {
     quad.swap(scratch_);
   }
 
-  /// The corners move with their velocities; positions and volumes of the particles are those of their domains. Returns
-  /// the first particle whose quadrilateral has lost its area, or crosses itself so far that its centroid is no longer
-  /// between its corners, or body.size().
+  /// The listed corners move with their velocities; positions and volumes of the listed particles are those of their
+  /// domains. Returns the first particle whose quadrilateral has lost its area, or crosses itself so far that its
+  /// centroid is no longer between its corners, or body.size().
   template <class Body, class V, class Scalar>
-  std::size_t convect(Body& body, const std::vector<V>& velocity, Scalar dt) {
-    const std::int64_t corners = std::int64_t(corner.size());
-#pragma omp parallel for schedule(static)
-    for (std::int64_t c = 0; c < corners; ++c)
-      for (int d = 0; d < 2; ++d) corner[std::size_t(c)][d] += double(dt * velocity[std::size_t(c)][d]);
-    const std::int64_t count = std::int64_t(body.size());
-    std::int64_t bad = count;
-#pragma omp parallel for schedule(static) reduction(min : bad)
-    for (std::int64_t p = 0; p < count; ++p) {
-      const double area = weights(std::size_t(p)).area;
-      const auto x = centroid(std::size_t(p));
-      if (!(area > 0) || !between_corners(std::size_t(p), x)) {
-        bad = std::min(bad, p);
-        continue;
+  std::size_t convect(Body& body, const std::vector<V>& velocity, Scalar dt, const ChunkList& corners,
+                      const ChunkList& particles) {
+    corners.for_each_entry([&](std::size_t c) {
+      for (std::size_t d = 0; d < 2; ++d) corner[c][d] += double(dt * velocity[c][Eigen::Index(d)]);
+    });
+    return particles.least([&](std::size_t first, int n) {
+      std::size_t bad = body.size();
+      for (std::size_t p = first; p < first + std::size_t(n); ++p) {
+        const double area = weights(p).area;
+        const auto x = centroid(p);
+        if (!(area > 0) || !between_corners(p, x)) {
+          bad = std::min(bad, p);
+          continue;
+        }
+        for (int d = 0; d < 2; ++d) body.x(d)[p] = Scalar(x[std::size_t(d)]);
+        body.volume()[p] = Scalar(area);
       }
-      for (int d = 0; d < 2; ++d) body.x(d)[p] = Scalar(x[d]);
-      body.volume()[p] = Scalar(area);
-    }
-    return std::size_t(bad);
+      return bad;
+    });
   }
   /// Adds the pressure on the free edges to the forces on the corners, with the weights of the internal force, so that
   /// a constant stress balances it exactly.
