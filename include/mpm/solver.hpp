@@ -142,9 +142,7 @@ class Solver {
     grid.deactivate_all();
     for_each_body([&](auto& b, auto& transfer) {
       if (steps == 0) check_policies(b);
-      const bool known = transfer.chunks().entries() == b.size();
-      if (const std::size_t p = first_unfit(b, known ? transfer.chunks() : ChunkList(b.size())); p < b.size())
-        fail_unfit(b, p);
+      if (const std::size_t p = first_unfit(b, transfer.chunks_of(b.size())); p < b.size()) fail_unfit(b, p);
       transfer.locate(b, grid);
     });
     grid.sort_active();

@@ -201,6 +201,7 @@ void choose_chunks(const Grid<S>& grid, ParticleOrder& order) {
     return awake;
   });
   order.run.clear();
+  order.run.reserve(2 * (order.chunks.size() + order.strip_begin.size()));
   order.run_end.clear();
   std::size_t k = 0;
   for (std::size_t s = 0; s + 1 < order.strip_begin.size(); ++s) {

@@ -54,8 +54,12 @@ class Transfer {
       corners_.locate(body.shape.corner, grid);
     }
   }
-  /// The chunks of particles that are worked on, of as many as there were when they were last located.
-  const ChunkList& chunks() const { return order_.chunks; }
+  /// The chunks of particles that are worked on; all of them, if there are not as many particles as when they were
+  /// last located.
+  const ChunkList& chunks_of(std::size_t particles) {
+    if (order_.chunks.entries() != particles) order_.chunks.take_all(particles);
+    return order_.chunks;
+  }
   /// Calls f(block) for the block of every particle, those of wide domains left out.
   template <class F>
   void for_each_block(const F& f) const {
