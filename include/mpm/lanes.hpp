@@ -76,7 +76,23 @@ struct Lanes {
   friend Mask operator>(const Lanes& a, const Lanes& b) { return {a.v > b.v}; }
   friend Mask operator<=(const Lanes& a, const Lanes& b) { return {a.v <= b.v}; }
   friend Mask operator>=(const Lanes& a, const Lanes& b) { return {a.v >= b.v}; }
+  friend Mask operator!=(const Lanes& a, const Lanes& b) { return {a.v != b.v}; }
 };
+
+namespace detail {
+/// v[0], v[1], ... v[N - 1] combined by halves: f of two vectors of N / 2, then N / 4, ... and last of two numbers.
+template <int N, class Vector, class F>
+[[gnu::always_inline]] inline auto by_halves(const Vector& v, const F& f) {
+  if constexpr (N == 2) {
+    return f(v[0], v[1]);
+  } else {
+    return [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
+      return by_halves<N / 2>(f(__builtin_shufflevector(v, v, I...), __builtin_shufflevector(v, v, (N / 2 + I)...)), f);
+    }
+    (std::make_integer_sequence<int, N / 2>());
+  }
+}
+}  // namespace detail
 
 template <class T, int N>
 Lanes<T, N> select(const LaneMask<T, N>& condition, const Lanes<T, N>& yes, const Lanes<T, N>& no) {
@@ -84,9 +100,7 @@ Lanes<T, N> select(const LaneMask<T, N>& condition, const Lanes<T, N>& yes, cons
 }
 template <class T, int N>
 bool any(const LaneMask<T, N>& condition) {
-  typename LaneMask<T, N>::Integer found = 0;
-  for (int k = 0; k < N; ++k) found |= condition.v[k];
-  return found != 0;
+  return detail::by_halves<N>(condition.v, [](const auto& a, const auto& b) { return a | b; }) != 0;
 }
 template <class T, int N>
 Lanes<T, N> max(const Lanes<T, N>& a, const Lanes<T, N>& b) {
@@ -174,18 +188,34 @@ auto lane(const V& value, int k) {
   }
 }
 
+/// The larger of two numbers, or that which is none.
+template <class V>
+V larger_or_nan(const V& a, const V& b) {
+  return select(b <= a || a != a, a, b);
+}
 /// Largest and sum of the numbers that V holds; NaN if one is.
 template <class V>
 auto largest(const V& a) {
-  auto most = lane(a, 0);
-  for (int k = 1; k < lane_count<V>; ++k) most = lane(a, k) <= most || most != most ? most : lane(a, k);
-  return most;
+  if constexpr (lane_count<V> == 1) {
+    return a;
+  } else {
+    return detail::by_halves<V::size>(a.v, [](const auto& x, const auto& y) { return y <= x || x != x ? x : y; });
+  }
 }
 template <class V>
 auto total(const V& a) {
-  auto sum = lane(a, 0);
-  for (int k = 1; k < lane_count<V>; ++k) sum += lane(a, k);
-  return sum;
+  if constexpr (lane_count<V> == 1) {
+    return a;
+  } else {
+    return detail::by_halves<V::size>(a.v, [](const auto& x, const auto& y) { return x + y; });
+  }
+}
+/// Which lanes are among the first `count`.
+template <class V>
+auto first_lanes(int count) {
+  V index;
+  for (int k = 0; k < V::size; ++k) index.v[k] = typename V::Scalar(k);
+  return index < V(count);
 }
 
 /// Towards zero.

@@ -126,6 +126,16 @@ constexpr Tensor<V> step_rotation(const Tensor<V>& L, const V& dt) {
           V(1) - f * (a * a + c * c), f * (b * c - a), f * (a * c - b), f * (b * c + a),
           V(1) - f * (a * a + b * b)};
 }
+/// `a` turned with the spin of `L` over dt, Q a Q^T with Q = step_rotation(L, dt); a spin about z alone costs a third.
+template <class V>
+constexpr SymmetricTensor<V> turned(const SymmetricTensor<V>& a, const Tensor<V>& L, const V& dt) {
+  if (any(L.zy != L.yz || L.xz != L.zx)) return rotated(a, step_rotation(L, dt));
+  const V half_angle = V(0.25) * dt * (L.yx - L.xy), f = V(2) / (V(1) + half_angle * half_angle);
+  const V sine = f * half_angle, cosine = V(1) - sine * half_angle;
+  const V cc = cosine * cosine, ss = sine * sine, cs = cosine * sine, twice = V(2) * cs * a.xy;
+  return {cc * a.xx + ss * a.yy - twice,         ss * a.xx + cc * a.yy + twice, a.zz,
+          cs * (a.xx - a.yy) + (cc - ss) * a.xy, sine * a.zx + cosine * a.yz,   cosine * a.zx - sine * a.yz};
+}
 /// Von Mises equivalent stress sqrt(3 J2).
 template <class V>
 constexpr V equivalent_stress(const SymmetricTensor<V>& stress) {

@@ -61,9 +61,8 @@ class FastPasses : public ::testing::Test {
     if constexpr (D == 3) L.zz = number(), L.xz = number(), L.zx = number(), L.yz = number(), L.zy = number();
     if constexpr (S::hoop) L.zz = number();
     if (p % 97 == 0) L.xx = 25;  // boxes wider than a cell
-    std::int64_t bad = 0;
     StepLimits<Scalar> limits;
-    strain(body, p, 1, L, Scalar(1), Scalar(0), Scalar(.05), bad, limits);
+    strain(body, body.law, p, 1, L, Scalar(1), Scalar(0), Scalar(.05), limits);
   }
   void disturb_nodes() {
     for (std::size_t n = 0; n < grid.size(); ++n)

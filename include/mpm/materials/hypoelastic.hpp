@@ -29,8 +29,8 @@ struct Hypoelastic {
   void update(State<V>& s, const Increment<V>& step) const {
     const V lambda(lame_modulus(young, poisson)), two_mu(2 * shear_modulus(young, poisson));
     const auto strain = step.dt * symmetric(step.L);
-    s.stress = rotated(s.stress, step_rotation(step.L, step.dt)) + two_mu * strain +
-               SymmetricTensor<V>::spherical(lambda * trace(strain));
+    s.stress =
+        turned(s.stress, step.L, step.dt) + two_mu * strain + SymmetricTensor<V>::spherical(lambda * trace(strain));
   }
 
   /// A longitudinal wave has no spin, so lambda + 2 mu holds in every state; the Jaumann rate adds half a difference

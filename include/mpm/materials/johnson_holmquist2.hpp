@@ -80,7 +80,7 @@ struct JohnsonHolmquist2 {
   template <class V>
   SymmetricTensor<V> elastic_trial(const SymmetricTensor<V>& stress, const V& bulking, const Increment<V>& step) const {
     const auto strain = step.dt * symmetric(step.L);
-    return rotated(deviator(stress), step_rotation(step.L, step.dt)) + V(2 * shear()) * deviator(strain) -
+    return turned(deviator(stress), step.L, step.dt) + V(2 * shear()) * deviator(strain) -
            SymmetricTensor<V>::spherical(pressure(V(1) / step.J - V(1)) + bulking);
   }
 

@@ -77,24 +77,44 @@ struct ChunkWeights {
 /// continuation of the two within.
 template <class S, int K>
 struct StencilNodes {
-  static constexpr int D = S::dimension;
-  std::ptrdiff_t along[D][K];
-  int beyond[D];  ///< -1 or 1 where the first or last node lies beyond a face
+  static constexpr int D = S::dimension, rows = shapes::power(K, D - 1);
+  std::ptrdiff_t row[rows];  ///< first node of each, beyond a face or not
+  std::ptrdiff_t in_row[K];  ///< along the first axis
+  int beyond[D];             ///< -1 or 1 where the first or last node lies beyond a face
 
   [[gnu::always_inline]] StencilNodes(const Grid<S>& grid, const std::int32_t (*anchor)[chunk_size], int particle) {
+    std::ptrdiff_t along[D][K];
+    bool whole = true;
     for (int d = 0; d < D; ++d) {
       const int first = anchor[d][particle] - shapes::nodes_before<K>, last = first + K - 1;
-      for (int k = 0; k < K; ++k)
-        along[d][k] = std::ptrdiff_t(std::clamp(first + k, 0, grid.cells(d))) * grid.stride(d);
       beyond[d] = first < 0 ? -1 : last > grid.cells(d) ? 1 : 0;
+      whole = whole && beyond[d] == 0;
+      for (int k = 0; k < K; ++k) along[d][k] = std::ptrdiff_t(first + k) * (d == 0 ? 1 : grid.stride(d));
     }
+    if (!whole) [[unlikely]]
+      for (int d = 0; d < D; ++d)
+        for (int k = 0; k < K; ++k)
+          along[d][k] =
+              std::ptrdiff_t(std::clamp(anchor[d][particle] - shapes::nodes_before<K> + k, 0, grid.cells(d))) *
+              grid.stride(d);
+    for (int r = 0; r < rows; ++r) {
+      row[r] = D > 1 ? along[D > 1][r % K] : 0;
+      if constexpr (D > 2) row[r] += along[2][r / K];
+    }
+    for (int k = 0; k < K; ++k) in_row[k] = along[0][k];
+    contiguous = beyond[0] == 0;
   }
-  template <int I>
-  std::ptrdiff_t at() const {
-    std::ptrdiff_t node = along[0][I % K];
-    if constexpr (D > 1) node += along[1][I / K % K];
-    if constexpr (D > 2) node += along[2][I / (K * K)];
-    return node;
+  /// Calls f(I, node) for every node of the stencil, with I known at compile time.
+  template <class F>
+  [[gnu::always_inline]] void for_each(const F& f) const {
+    if (contiguous) [[likely]] {
+      shapes::unrolled<rows * K>([&](auto I) __attribute__((always_inline)) {
+        f(I, std::size_t(row[I / K] + in_row[0]) + std::size_t(I % K));
+      });
+    } else {
+      shapes::unrolled<rows * K>([&](auto I)
+                                     __attribute__((always_inline)) { f(I, std::size_t(row[I / K] + in_row[I % K])); });
+    }
   }
   /// Linear continuation, v_-1 = 2 v_0 - v_1, of nodal values.
   template <class Q>
@@ -108,6 +128,8 @@ struct StencilNodes {
   }
 
  private:
+  bool contiguous;
+
   template <class F>
   void at_faces(const F& f) const {
     for (int d = 0, stride = 1; d < D; ++d, stride *= K) {
@@ -123,14 +145,19 @@ struct StencilNodes {
 template <class T>
 using Word = Native<T, 4>;
 
-template <class T>
-[[gnu::always_inline]] inline void transpose(Word<T>& a, Word<T>& b, Word<T>& c, Word<T>& d) {
-  const Word<T> ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Word<T> cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+/// Transposes the 4x4 blocks that lie side by side in four rows of N.
+template <class Row, int... I>
+[[gnu::always_inline]] inline void transpose_blocks(Row& a, Row& b, Row& c, Row& d, std::integer_sequence<int, I...>) {
+  constexpr int N = sizeof...(I);
+  // Within each block: entry i of the first row where it is even, or below 2, else the entry before of the second.
+  const Row ab_even = __builtin_shufflevector(a, b, (I % 2 == 0 ? I : N + I - 1)...);
+  const Row ab_odd = __builtin_shufflevector(a, b, (I % 2 == 0 ? I + 1 : N + I)...);
+  const Row cd_even = __builtin_shufflevector(c, d, (I % 2 == 0 ? I : N + I - 1)...);
+  const Row cd_odd = __builtin_shufflevector(c, d, (I % 2 == 0 ? I + 1 : N + I)...);
+  a = __builtin_shufflevector(ab_even, cd_even, (I % 4 < 2 ? I : N + I - 2)...);
+  b = __builtin_shufflevector(ab_odd, cd_odd, (I % 4 < 2 ? I : N + I - 2)...);
+  c = __builtin_shufflevector(ab_even, cd_even, (I % 4 < 2 ? I + 2 : N + I)...);
+  d = __builtin_shufflevector(ab_odd, cd_odd, (I % 4 < 2 ? I + 2 : N + I)...);
 }
 /// Four columns of lanes become one word a particle, and back.
 template <class V, class T = typename V::Scalar>
@@ -138,14 +165,27 @@ template <class V, class T = typename V::Scalar>
   if constexpr (V::size < 4) {
     for (int k = 0; k < V::size; ++k) to[k] = Word<T>{a[k], b[k], c[k], d[k]};
   } else {
-    alignas(64) T rows[4][V::size];
-    a.store(rows[0]), b.store(rows[1]), c.store(rows[2]), d.store(rows[3]);
-    shapes::unrolled<V::size / 4>([&](auto part) __attribute__((always_inline)) {
-      Word<T> w[4];
-      for (int k = 0; k < 4; ++k) std::memcpy(&w[k], &rows[k][4 * part], sizeof(w[k]));
-      transpose<T>(w[0], w[1], w[2], w[3]);
-      for (int k = 0; k < 4; ++k) to[4 * part + k] = w[k];
+    Native<T, V::size> row[4] = {a.v, b.v, c.v, d.v};
+    transpose_blocks(row[0], row[1], row[2], row[3], std::make_integer_sequence<int, V::size>());
+    shapes::unrolled<V::size>([&](auto k) __attribute__((always_inline)) {
+      constexpr int first = k / 4 * 4;
+      to[k] = __builtin_shufflevector(row[k % 4], row[k % 4], first, first + 1, first + 2, first + 3);
     });
+  }
+}
+/// Words `Step` apart, side by side in one vector.
+template <int Count, int Step, class T>
+[[gnu::always_inline]] inline void side_by_side(const Word<T>* from, Native<T, 4 * Count>& to) {
+  if constexpr (Count == 1) {
+    to = *from;
+  } else {
+    Native<T, 2 * Count> low, high;
+    side_by_side<Count / 2, Step, T>(from, low);
+    side_by_side<Count / 2, Step, T>(from + Count / 2 * Step, high);
+    [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
+      to = __builtin_shufflevector(low, high, I...);
+    }
+    (std::make_integer_sequence<int, 4 * Count>());
   }
 }
 template <class V, class T = typename V::Scalar>
@@ -155,13 +195,9 @@ template <class V, class T = typename V::Scalar>
     for (int c = 0; c < 4; ++c)
       for (int k = 0; k < V::size; ++k) columns[c].v[k] = from[k][c];
   } else {
-    alignas(64) T rows[4][V::size];
-    shapes::unrolled<V::size / 4>([&](auto part) __attribute__((always_inline)) {
-      Word<T> w[4] = {from[4 * part], from[4 * part + 1], from[4 * part + 2], from[4 * part + 3]};
-      transpose<T>(w[0], w[1], w[2], w[3]);
-      for (int k = 0; k < 4; ++k) std::memcpy(&rows[k][4 * part], &w[k], sizeof(w[k]));
-    });
-    for (int c = 0; c < 4; ++c) columns[c] = V::load(rows[c]);
+    for (int k = 0; k < 4; ++k) side_by_side<V::size / 4, 4, T>(from + k, columns[std::size_t(k)].v);
+    transpose_blocks(columns[0].v, columns[1].v, columns[2].v, columns[3].v,
+                     std::make_integer_sequence<int, V::size>());
   }
   return columns;
 }

@@ -96,9 +96,9 @@ std::size_t update(Body& body, const ChunkList& chunks, const std::vector<Vector
   using Word = detail::Word<double>;
   constexpr std::size_t from = strained == Strained::by_second ? 2 : 0;
   limits.resize(chunk_count(body));
+  LoopLaw<Body> law = body.law;
   return sum_work(body, chunks, partial, [&](std::size_t chunk, int count, std::int64_t& bad) {
-    double work = 0;
-    StepLimits<double> limit{.known = true};
+    ChunkStrain<V> strained_chunk;
     Word fastest{};  // corner
     for (int l = 0; l < count; l += V::size) {
       const std::size_t p = chunk + std::size_t(l);
@@ -124,22 +124,24 @@ std::size_t update(Body& body, const ChunkList& chunks, const std::vector<Vector
         L.xy = a[from] * w.gradient[0][1] + b[from] * w.gradient[1][1];
         L.yx = a[from + 1] * w.gradient[0][0] + b[from + 1] * w.gradient[1][0];
         L.yy = a[from + 1] * w.gradient[0][1] + b[from + 1] * w.gradient[1][1];
-        work += mpm::strain(body, p, size, L, cell, time, dt, bad, limit);
+        strained_chunk.add(l, mpm::strain(body, law, p, size, L, cell, time, dt, strained_chunk.limits));
       }
       if constexpr (Blend) {
         const auto seen = detail::to_lanes<V>(sum);
         for (int d = 0; d < 2; ++d)
           detail::move_register<true, false>(body, p, size, d, seen[std::size_t(d)], seen[std::size_t(d) + 2],
-                                             integrator, dt, limit);
+                                             integrator, dt, strained_chunk.limits);
       }
     }
+    if constexpr (strained != Strained::none) strained_chunk.report(chunk, count, bad);
+    StepLimits<double> limit = over_lanes(strained_chunk.limits);
     limit.speed = std::max(fastest[from], fastest[from + 1]);
     if constexpr (strained != Strained::none) {
       limits[chunk / chunk_size] = limit;
     } else {
       limits[chunk / chunk_size].speed = limit.speed;
     }
-    return work;
+    return double(total(strained_chunk.work));
   });
 }
 

@@ -45,16 +45,12 @@ struct GatherRecord {
 template <bool Blend, bool Move, class Body, class Integrator, class V, class Scalar = typename Body::Scalar>
 [[gnu::always_inline]] inline void move_register(Body& body, std::size_t p, int valid, int d, const V& velocity,
                                                  const V& increment, const Integrator& integrator, Scalar dt,
-                                                 StepLimits<Scalar>& limits) {
+                                                 StepLimits<V>& limits) {
   if constexpr (Blend) store(integrator.particle_velocity(V::load(body.v(d) + p), velocity, increment), body.v(d) + p);
   if constexpr (Move) {
     store(V::load(body.x(d) + p) + V(dt) * velocity, body.x(d) + p);
     const V speed = abs(velocity);
-    if (valid >= V::size) {
-      limits.raise(limits.speed, largest(speed));
-    } else {
-      for (int k = 0; k < valid; ++k) limits.raise(limits.speed, speed[k]);
-    }
+    limits.raise(limits.speed, valid >= V::size ? speed : select(first_lanes<V>(valid), speed, V(0)));
   }
 }
 
@@ -79,9 +75,8 @@ struct Seen {
         constexpr bool with_slopes = strained != Strained::none && word == Record::word(field);
         if constexpr (with_slopes || Both || word == 0) {
           Word mode[count];
-          shapes::unrolled<count>([&](auto I) __attribute__((always_inline)) {
-            Record::read(word, first, second, std::size_t(nodes.template at<I>()), mode[I]);
-          });
+          nodes.for_each([&](auto I, std::size_t node)
+                             __attribute__((always_inline)) { Record::read(word, first, second, node, mode[I]); });
           if constexpr (continued) nodes.continue_field(mode);
           shapes::all_to_modes<D, K>(mode);
           for (int q = p; q < next; ++q) {
@@ -128,6 +123,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, con
   using Record = detail::GatherRecord<S>;
   constexpr int D = S::dimension, K = Body::Shape::axis_nodes;
   limits.resize(chunk_count(body));
+  LoopLaw<Body> law = body.law;
   return sum_work(body, chunks, partial, [&](std::size_t first, int size, std::int64_t& bad) {
     detail::ChunkWeights<S, K> w;
     StepLimits<typename S::Scalar> limit{.known = true};
@@ -146,19 +142,23 @@ std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, con
     } else {
       detail::Seen<S, strained, detail::continues_linearly<typename Body::Shape>> seen;
       seen.template compute<Blend>(w, size, grid, first_field, second_field);
+      ChunkStrain<V> strained_chunk;
       for (int l = 0; l < size; l += V::size) {
         const std::size_t p = first + std::size_t(l);
         std::array<V, 4> value[Record::words];
         for (int k = 0; k < Record::words; ++k) value[k] = detail::to_lanes<V>(&seen.values[k][l]);
         if constexpr (strained != Strained::none) {
           const auto L = seen.template gradient<V>(l, grid.inverse_cell(), V::load(body.x(0) + p), value);
-          work += mpm::strain(body, p, size - l, L, grid.cell(), time, dt, bad, limit);
+          strained_chunk.add(l, mpm::strain(body, law, p, size - l, L, grid.cell(), time, dt, strained_chunk.limits));
         }
         for (int d = 0; d < D; ++d)
           detail::move_register<Blend, Move>(
               body, p, size - l, d, value[Record::word(0)][std::size_t(Record::slot(0) + d)],
-              value[Record::word(1)][std::size_t(Record::slot(1) + d)], integrator, dt, limit);
+              value[Record::word(1)][std::size_t(Record::slot(1) + d)], integrator, dt, strained_chunk.limits);
       }
+      if constexpr (strained != Strained::none) strained_chunk.report(first, size, bad);
+      work = double(total(strained_chunk.work));
+      limit = over_lanes(strained_chunk.limits);
     }
     if constexpr (strained != Strained::none) {
       limits[first / chunk_size] = limit;

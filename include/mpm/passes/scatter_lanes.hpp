@@ -60,18 +60,23 @@ struct Given {
   using W = Word<typename S::Scalar>;
   W value[Record::words][chunk_size];
   W slope[S::dimension][chunk_size];
-  alignas(64) typename S::Scalar mass[chunk_size];
+  W mass[Record::own_mass ? chunk_size : 1];  ///< by mode of the first axis, where it has no place in the words
 
-  template <What what, class Body, class Force>
+  template <What what, class Body, class Force, int K>
   [[gnu::always_inline]] void compute(const Body& body, std::size_t first, int size, const Grid<S>& grid,
-                                      const Force& body_force, double time) {
+                                      const ChunkWeights<S, K>& w, const Force& body_force, double time) {
     using V = typename Body::Lane;
     constexpr int D = S::dimension;
     for (int l = 0; l < chunk_size; l += V::size) {
       const std::size_t p = first + std::size_t(l);
       const V m = V::load(body.mass() + p);
       V v[3]{}, b[3]{}, s[3][3]{};
-      m.store(mass + l);
+      if constexpr (gives_mass<what> && Record::own_mass) {
+        V by_mode[4]{};
+        by_mode[0] = K == 2 ? m * V::load(&w.weight[0][0][l]) : m;
+        for (int k = 1; k < K; ++k) by_mode[k] = m * V::load(&w.weight[0][K == 2 ? k : k - 1][l]);
+        to_words(by_mode[0], by_mode[1], by_mode[2], by_mode[3], &mass[l]);
+      }
       if constexpr (gives_momentum<what>)
         for (int d = 0; d < D; ++d) v[d] = m * V::load(body.v(d) + p);
       if constexpr (gives_forces<what>) {
@@ -129,7 +134,7 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
         for (int l = 0; l < size; l += Body::Lane::size)
           bad = std::min(bad, first_unsound<typename Body::Lane>(body, first + std::size_t(l),
                                                                  std::min(size - l, Body::Lane::size)));
-      given.template compute<what>(body, first, size, grid, body_force, time);
+      given.template compute<what>(body, first, size, grid, w, body_force, time);
       for (int p = 0, next; p < size; p = next) {
         next = w.run_end(p, size);
         const detail::StencilNodes<S, K> nodes(grid, w.anchor, p);
@@ -149,8 +154,7 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
           }
           shapes::all_to_nodes<D, K>(sum);
           if constexpr (continued) nodes.fold_sums(sum);
-          shapes::unrolled<count>([&](auto I) __attribute__((always_inline)) {
-            const auto n = std::size_t(nodes.template at<I>());
+          nodes.for_each([&](auto I, std::size_t n) __attribute__((always_inline)) {
             if constexpr (velocity && word == 0) detail::add<0>(sum[I], momentum[n]);
             if constexpr (slopes) detail::add<Record::force>(sum[I], grid.increment[n]);
             if constexpr (mass && word == 0 && !Record::own_mass) grid.mass[n] += sum[I][Record::mass];
@@ -160,8 +164,7 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
           constexpr int first_weight = K == 2 ? 0 : 1;
           Word sum[K]{};  // a word a row
           for (int q = p; q < next; ++q) {
-            Word row{K == 2 ? given.mass[q] * w.weight[0][0][q] : given.mass[q]};
-            for (int k = 1; k < K; ++k) row[k] = given.mass[q] * w.weight[0][k - first_weight][q];
+            const Word& row = given.mass[q];
             sum[0] += K == 2 ? w.weight[1][0][q] * row : row;
             for (int k = 1; k < K; ++k) sum[k] += w.weight[1][k - first_weight][q] * row;
           }
@@ -170,8 +173,7 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
             for (int i = 0; i < K; ++i) at[j * K + i] = sum[j][i];
           shapes::all_to_nodes<D, K>(at);
           if constexpr (continued) nodes.fold_sums(at);
-          for (int j = 0; j < K; ++j)
-            for (int i = 0; i < K; ++i) grid.mass[std::size_t(nodes.along[0][i] + nodes.along[1][j])] += at[j * K + i];
+          nodes.for_each([&](auto I, std::size_t n) __attribute__((always_inline)) { grid.mass[n] += at[I]; });
         }
       }
     }

@@ -98,18 +98,21 @@ typename S::Scalar stable_step(const Body& body, const ChunkList& chunks, const 
 namespace detail {
 
 /// What the stencils of a chunk of particles make of moduli: the largest of max(2 max b, sum b), which goes with the
-/// shear modulus, and of sum b, which goes with lambda, 1/m2; see irons_step.
-template <class Scalar>
+/// shear modulus, and of sum b, which goes with lambda, 1/m2; see irons_step. With lanes for V, the largest by lane.
+template <class V>
 struct GridStiffness {
-  Scalar shear = 0, lambda = 0;
+  V shear{0}, lambda{0};
 
   template <class S>
-  void raise(const std::array<Scalar, S::dimension>& b, Scalar radius) {
-    Scalar sum = 0, largest = 0;
-    for (Scalar k : b) sum += k, largest = std::max(largest, k);
-    if constexpr (S::hoop) sum += 1 / (radius * radius), largest = std::max(largest, 1 / (radius * radius));
-    shear = std::max(shear, S::dimension == 1 ? 2 * largest : std::max(2 * largest, sum));
-    lambda = std::max(lambda, sum);
+  void raise(const std::array<V, S::dimension>& b, const V& radius) {
+    V sum(0), most(0);
+    for (const V& k : b) sum += k, most = max(most, k);
+    if constexpr (S::hoop) {
+      const V hoop = V(1) / (radius * radius);
+      sum += hoop, most = max(most, hoop);
+    }
+    shear = larger_or_nan(shear, S::dimension == 1 ? V(2) * most : max(V(2) * most, sum));
+    lambda = larger_or_nan(lambda, sum);
   }
 };
 
@@ -137,7 +140,8 @@ GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int c
   if constexpr (HasModes<Body>) {
     using V = typename Body::Lane;
     constexpr int K = Body::Shape::axis_nodes;
-    const Scalar per_square = grid.inverse_cell() * grid.inverse_cell();
+    const V per_square(grid.inverse_cell() * grid.inverse_cell());
+    GridStiffness<V> by_lane;
     for (int l = 0; l < count; l += V::size) {
       const std::size_t p = first + std::size_t(l);
       const int size = std::min(V::size, count - l);
@@ -149,19 +153,16 @@ GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int c
             const int low = modes[std::size_t(d)].anchor[k] - shapes::nodes_before<K>;
             fit = fit && low >= 0 && low + K - 1 <= grid.cells(d);
           }
-      if (!fit) {
+      if (!fit || size < V::size) {
         plainly(p, p + std::size_t(size));
         continue;
       }
       std::array<V, S::dimension> b;
-      for (int d = 0; d < S::dimension; ++d)
-        b[std::size_t(d)] = V(per_square) * axis_stiffness<V, K>(modes[std::size_t(d)]);
-      for (int k = 0; k < size; ++k) {
-        std::array<Scalar, S::dimension> one;
-        for (std::size_t d = 0; d < one.size(); ++d) one[d] = b[d][k];
-        stiffness.template raise<S>(one, body.x(0)[p + std::size_t(k)]);
-      }
+      for (std::size_t d = 0; d < b.size(); ++d) b[d] = per_square * axis_stiffness<V, K>(modes[d]);
+      by_lane.template raise<S>(b, V::load(body.x(0) + p));
     }
+    stiffness.shear = larger_or_nan(stiffness.shear, largest(by_lane.shear));
+    stiffness.lambda = larger_or_nan(stiffness.lambda, largest(by_lane.lambda));
   } else {
     plainly(first, first + std::size_t(count));
   }
@@ -176,19 +177,26 @@ GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int c
 template <class Body, class S, class Stiffness, class Scalar = typename S::Scalar>
 Scalar stable_step(const Body& body, const ChunkList& chunks, const Grid<S>& grid,
                    const std::vector<StepLimits<Scalar>>& limits, const Stiffness& stiffness) {
-  return least_step<Scalar>(chunks, [&](std::size_t first, int count) {
+  Scalar elastic = 0, rate = 0, speed = 0, plain = std::numeric_limits<Scalar>::max();
+  const std::int64_t count = std::int64_t(chunks.size());
+#pragma omp parallel for schedule(static) reduction(max : elastic, rate, speed) reduction(min : plain)
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::size_t first = chunks.first(std::size_t(k));
+    const int size = chunks.count(std::size_t(k));
     const StepLimits<Scalar>& l = limits[first / chunk_size];
-    constexpr Scalar tiny = std::numeric_limits<Scalar>::min();
-    Scalar dt = std::numeric_limits<Scalar>::max();
     if (!l.known) {
-      for (std::size_t p = first; p < first + std::size_t(count); ++p) dt = std::min(dt, stable_step(body, p, grid));
-      return dt;
+      for (std::size_t p = first; p < first + std::size_t(size); ++p)
+        plain = std::min(plain, stable_step(body, p, grid));
+      continue;
     }
-    const auto b = stiffness(first, count);
-    dt = 2 / std::sqrt(l.shear * b.shear + l.lambda * b.lambda);
-    dt = std::min({dt, Scalar(0.1) / std::sqrt(std::max(l.rate, tiny)), grid.cell() / 2 / std::max(l.speed, tiny)});
-    return std::isfinite(dt) ? dt : Scalar(0);
-  });
+    const auto b = stiffness(first, size);
+    const Scalar stiff = l.shear * b.shear + l.lambda * b.lambda;
+    if (!std::isfinite(stiff + l.rate + l.speed)) plain = 0;
+    elastic = std::max(elastic, stiff), rate = std::max(rate, l.rate), speed = std::max(speed, l.speed);
+  }
+  constexpr Scalar tiny = std::numeric_limits<Scalar>::min();
+  return std::min({plain, 2 / std::sqrt(std::max(elastic, tiny)), Scalar(0.1) / std::sqrt(std::max(rate, tiny)),
+                   grid.cell() / 2 / std::max(speed, tiny)});
 }
 
 }  // namespace mpm

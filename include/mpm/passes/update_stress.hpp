@@ -10,17 +10,21 @@ namespace mpm {
 /// after.
 enum class Strained { none, by_first, by_second };
 
-/// What limits the next step of a chunk of particles: the largest of each.
-template <class Scalar>
+/// What limits the next step of a chunk of particles: the largest of each, or with lanes for V, of each lane.
+template <class V>
 struct StepLimits {
-  Scalar lambda = 0, shear = 0;  ///< moduli over the density and over the squared factor of the viscosity, m2/s2
-  Scalar rate = 0;               ///< squared norm of the rate of deformation, 1/s2
-  Scalar speed = 0;              ///< component of the velocity that moves them, m/s
-  bool known = false;            ///< from a strain since the particles were ordered
+  V lambda{0}, shear{0};  ///< moduli over the density and over the squared factor of the viscosity, m2/s2
+  V rate{0};              ///< squared norm of the rate of deformation, 1/s2
+  V speed{0};             ///< component of the velocity that moves them, m/s
+  bool known = false;     ///< from a strain since the particles were ordered
 
   /// Raises `limit` to `value`; what is no number stays to be found.
-  static void raise(Scalar& limit, Scalar value) { limit = value <= limit || limit != limit ? limit : value; }
+  static void raise(V& limit, const V& value) { limit = larger_or_nan(limit, value); }
 };
+template <class T, int N>
+StepLimits<T> over_lanes(const StepLimits<Lanes<T, N>>& l) {
+  return {largest(l.lambda), largest(l.shear), largest(l.rate), largest(l.speed), l.known};
+}
 
 /// A particle rides the nodes: x_p += dt sum w_Ip v_I.
 template <class S, class Body, class Out, class Nodes, class Scalar = typename S::Scalar>
@@ -32,12 +36,25 @@ void ride(Body& body, std::size_t p, const Out& stencil, const Nodes& nodes, Sca
   }
 }
 
+/// What a strain has come to: the work V sigma : D dt, J, and whether volume or stress are no longer a finite positive
+/// number.
+template <class V>
+struct StrainResult {
+  V work;
+  decltype(V() < V()) unsound;
+};
+
+/// The law of a body as a loop over its particles wants it: a copy where that costs nothing, so that the compiler sees
+/// that nothing which the loop stores changes it.
+template <class Body, class Law = typename Body::Law>
+using LoopLaw = std::conditional_t<std::is_trivially_copyable_v<Law>, const Law, const Law&>;
+
 /// Strains particle p, or with lanes for V those from p on, of which `valid` are meant, with the velocity gradient L
-/// over `dt`: volume (and F) follow, and the law gives the stress. Returns the work V sigma : D dt, lowers `bad` to the
-/// first whose volume or stress is no longer a finite positive number, and raises `limits`.
+/// over `dt`: volume (and F) follow, and `law`, the body's, gives the stress. Raises `limits`.
 template <class V, class Body, class Scalar = typename Body::Scalar>
-[[gnu::always_inline]] inline double strain(Body& body, std::size_t p, int valid, const Tensor<V>& L, Scalar cell,
-                                            Scalar time, Scalar dt, std::int64_t& bad, StepLimits<Scalar>& limits) {
+[[gnu::always_inline]] inline StrainResult<V> strain(Body& body, const typename Body::Law& law, std::size_t p,
+                                                     int valid, const Tensor<V>& L, Scalar cell, Scalar time, Scalar dt,
+                                                     StepLimits<V>& limits) {
   const auto motion = Tensor<V>::identity() + V(dt) * L;
   const V growth = determinant(motion), old_volume = load<V>(body.volume() + p), new_volume = old_volume * growth;
   Increment<V> step{.L = L, .dt = V(dt), .time = V(time + dt), .size = body.template particle_size<V>(p)};
@@ -50,36 +67,36 @@ template <class V, class Body, class Scalar = typename Body::Scalar>
   }
   auto state = body.template state<V>(p);
   const auto old_stress = body.template stress<V>(p);
-  body.law.update(state, step);
+  law.update(state, step);
   body.store(p, state);
   if constexpr (Body::Shape::domain_motion != DomainMotion::corners) store(new_volume, body.volume() + p);
   const auto D = symmetric(L);
   const auto mean = V(0.5) * (old_stress + body.template stress<V>(p));
   const V work = V(0.5) * (old_volume + new_volume) * inner(mean, D) * V(dt);
 
-  const auto moduli = body.law.tangent(state, step.J);
+  const auto moduli = law.tangent(state, step.J);
   V specific = new_volume / load<V>(body.mass() + p);
-  if constexpr (requires { body.law.viscosity; }) {
-    const V factor = body.law.viscosity.step_factor(sqrt(moduli.longitudinal * specific), trace(L), V(cell));
+  if constexpr (requires { law.viscosity; }) {
+    const V factor = law.viscosity.step_factor(sqrt(moduli.longitudinal * specific), trace(L), V(cell));
     specific = specific / (factor * factor);
   }
   const V lambda = max(moduli.longitudinal - V(2) * moduli.shear, V(0)) * specific, shear = moduli.shear * specific;
   const V rate = inner(D, D);
-  if (valid >= lane_count<V> && !any(!(new_volume > V(0)) || !(V(0) * work <= V(0)))) {  // as a rule
-    limits.raise(limits.lambda, largest(lambda));
-    limits.raise(limits.shear, largest(shear));
-    limits.raise(limits.rate, largest(rate));
-    return double(total(work));
+  const auto unsound = !(new_volume > V(0)) || !(V(0) * work <= V(0));
+  if constexpr (lane_count < V >> 1) {
+    if (valid < lane_count<V>) [[unlikely]] {
+      const auto meant = first_lanes<V>(valid);
+      const V none(0);
+      limits.raise(limits.lambda, select(meant, lambda, none));
+      limits.raise(limits.shear, select(meant, shear, none));
+      limits.raise(limits.rate, select(meant, rate, none));
+      return {select(meant, work, none), meant && unsound};
+    }
   }
-  double sum = 0;
-  for (int k = 0; k < std::min(valid, lane_count<V>); ++k) {
-    if (!(lane(new_volume, k) > 0) || !std::isfinite(lane(work, k))) bad = std::min(bad, std::int64_t(p) + k);
-    sum += double(lane(work, k));
-    limits.raise(limits.lambda, lane(lambda, k));
-    limits.raise(limits.shear, lane(shear, k));
-    limits.raise(limits.rate, lane(rate, k));
-  }
-  return sum;
+  limits.raise(limits.lambda, lambda);
+  limits.raise(limits.shear, shear);
+  limits.raise(limits.rate, rate);
+  return {work, unsound};
 }
 
 template <class Body>
@@ -103,17 +120,40 @@ std::size_t sum_work(Body& body, const ChunkList& chunks, std::vector<double>& p
   return std::size_t(bad);
 }
 
+/// The strain of a chunk of particles, register by register.
+template <class V>
+struct ChunkStrain {
+  using Mask = decltype(V() < V());
+  V work{0};
+  StepLimits<V> limits{.known = true};
+  Mask unsound[chunk_size / lane_count<V>], found{};
+
+  /// Takes in the result of the register from entry `l` of the chunk on.
+  void add(int l, const StrainResult<V>& result) {
+    work += result.work;
+    unsound[l / lane_count<V>] = result.unsound;
+    found = found || result.unsound;
+  }
+  /// Lowers `bad` to the first unsound particle of the chunk of `size` particles that begins with `first`.
+  void report(std::size_t first, int size, std::int64_t& bad) const {
+    if (!any(found)) return;
+    for (int l = size - 1; l >= 0; --l)
+      if (unsound[l / lane_count<V>].v[l % lane_count<V>]) bad = std::min(bad, std::int64_t(first) + l);
+  }
+};
+
 /// Strains one particle with the nodal velocities; see update_stress.
 template <bool Move, class Body, class Nodes, class S = typename Body::SpaceType, class Scalar = typename S::Scalar>
 double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::vector<Vector<S>>& velocity, Scalar cell,
                      Scalar time, Scalar dt, std::int64_t& bad, StepLimits<Scalar>& limits) {
   const auto stencil = make_stencil(body, p, nodes);
   const auto L = velocity_gradient<S>(stencil, velocity, body.x(0)[p]);
-  const double work = strain(body, p, 1, L, cell, time, dt, bad, limits);
+  const auto result = strain(body, body.law, p, 1, L, cell, time, dt, limits);
+  if (result.unsound) bad = std::min(bad, std::int64_t(p));
   if constexpr (Move) {
     ride<S>(body, p, stencil, nodes, dt, limits);
   }
-  return work;
+  return double(result.work);
 }
 
 /// Strains every particle of the chunks with the nodal velocities, moves its volume (and F) along, and calls the law.
