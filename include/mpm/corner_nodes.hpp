@@ -5,6 +5,7 @@
 #include <mpm/shapes/tensor_product.hpp>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace mpm {
@@ -21,6 +22,13 @@ class CornerNodes : public NodalFields<S> {
   using NodalFields<S>::increment;
   using NodalFields<S>::strain_velocity;
 
+  /// Two vectors of a corner in one word: momentum and force on the way to the grid, two fields of it on the way back.
+  /// The passes in lanes work on these, the plain ones on the fields.
+  struct alignas(32) Pair {
+    std::array<double, 4> value{};
+  };
+  std::vector<Pair> pair;
+
   /// The corners that are worked on, of those that there are, in chunks: those of the particles in `particles`.
   template <class Shape>
   void choose(const Shape& shape, const ChunkList& particles) {
@@ -28,6 +36,7 @@ class CornerNodes : public NodalFields<S> {
     mass.resize(n, 0);
     increment.resize(n, Vector<S>::Zero());
     velocity.resize(n, Vector<S>::Zero());
+    pair.resize(n);
     anchor_.resize(n);
     strip_begin_.clear();
     needed_.assign(n / chunk_size + 1, 0);
@@ -57,18 +66,38 @@ class CornerNodes : public NodalFields<S> {
     if (strays > 0) order_by_strip(std::size_t(grid.strip_count()));
   }
 
-  /// Calls f(corner, node, weight) for the four nodes around every corner, so that no two threads touch one node and in
-  /// a fixed order at each: strips of one colour at once.
+  /// The cell of a corner: its first node, and the corner's place between the nodes, 0 to 1.
+  struct Anchor {
+    int node = 0;
+    std::uint32_t strip = 0;
+    Scalar x = 0, y = 0;
+  };
+  const Anchor& anchor(std::size_t corner) const {
+    return anchor_[corner];
+  }
+  /// Nodes of the grid from one row to the next.
+  int stride() const {
+    return stride_;
+  }
+
+  /// Calls f(corners) for the list of corners in every strip, so that no two threads touch one node and in a fixed
+  /// order at each: strips of one colour at once.
   template <class F>
-  void scatter(const F& f) const {
+  void for_each_strip(const F& f) const {
     const int strips = int(strip_begin_.size()) - 1;
 #pragma omp parallel
     for (int colour = 0; colour < 2; ++colour) {
 #pragma omp for schedule(dynamic, 1)
       for (int s = colour; s < strips; s += 2)
-        for (std::size_t k = strip_begin_[s]; k < strip_begin_[s + 1]; ++k)
-          around(order_[k], [&, c = order_[k]](int node, Scalar w) { f(c, node, w); });
+        f(std::span(order_).subspan(strip_begin_[s], strip_begin_[s + 1] - strip_begin_[s]));
     }
+  }
+  /// Calls f(corner, node, weight) for the four nodes around every corner, in the order of for_each_strip.
+  template <class F>
+  void scatter(const F& f) const {
+    for_each_strip([&](std::span<const std::uint32_t> corners) {
+      for (const std::size_t c : corners) around(c, [&](int node, Scalar w) { f(c, node, w); });
+    });
   }
   /// Interpolates nodal fields of the grid to the corners: own = sum w nodal.
   void gather(const std::vector<Vector<S>>& nodal, std::vector<Vector<S>>& own) const {
@@ -86,13 +115,6 @@ class CornerNodes : public NodalFields<S> {
   }
 
  private:
-  /// The cell of a corner: its first node, and the corner's place between the nodes, 0 to 1.
-  struct Anchor {
-    int node = 0;
-    std::uint32_t strip = 0;
-    Scalar x = 0, y = 0;
-  };
-
   template <class F>
   void around(std::size_t c, const F& f) const {
     const auto [node, strip, x, y] = anchor_[c];

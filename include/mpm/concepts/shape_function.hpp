@@ -28,7 +28,7 @@ enum class DomainMotion {
 ///   - for DomainMotion::corners: `corner`, their positions; `corner_stencil(p, out)`: w_cp and grad w_cp on them;
 ///     `convect(body, velocity, dt, corners, particles)` with the velocities of the corners and the ChunkLists of those
 ///     that move, which returns the first particle whose domain has inverted, or body.size(); `pressure` on its
-///     surface, added to the corners' forces by `load_surface(force)`;
+///     surface, of which `load_surface(add)` calls add(corner, force);
 ///   - optional, for the fast passes: `axis_nodes`, the number K of nodes along each axis, 2, 3 or 4, in every place
 ///     (unless the domain follows F), and `modes(body, p, grid, xi, out)`, the weights of a register of particles from
 ///     p on by axis, see shapes/modes.hpp; returns false where modes cannot give them and the plain stencil must;

@@ -145,6 +145,24 @@ struct StencilNodes {
 template <class T>
 using Word = Native<T, 4>;
 
+/// Its numbers without their signs.
+[[gnu::always_inline]] inline Word<double> magnitude(const Word<double>& a) {
+  using Bits = Native<std::int64_t, 4>;
+  Bits bits;
+  std::memcpy(&bits, &a, sizeof(a));
+  bits &= std::numeric_limits<std::int64_t>::max();
+  Word<double> out;
+  std::memcpy(&out, &bits, sizeof(out));
+  return out;
+}
+/// Two vectors of the plane in one word.
+template <class T>
+[[gnu::always_inline]] inline void join(const T* a, const T* b, Word<T>& to) {
+  Native<T, 2> low, high;
+  std::memcpy(&low, a, sizeof(low));
+  std::memcpy(&high, b, sizeof(high));
+  to = __builtin_shufflevector(low, high, 0, 1, 2, 3);
+}
 /// Transposes the 4x4 blocks that lie side by side in four rows of N.
 template <class Row, int... I>
 [[gnu::always_inline]] inline void transpose_blocks(Row& a, Row& b, Row& c, Row& d, std::integer_sequence<int, I...>) {

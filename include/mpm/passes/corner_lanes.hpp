@@ -3,6 +3,7 @@
 #include <mpm/corner_nodes.hpp>
 #include <mpm/passes/gather_lanes.hpp>
 #include <mpm/passes/scatter_lanes.hpp>
+#include <mpm/shapes/cpdi_quad.hpp>
 
 // Between particles and their own corners, a chunk at a time: what scatter.hpp, gather.hpp and update_stress.hpp do
 // with the corner stencil.
@@ -11,50 +12,101 @@ namespace mpm::lanes {
 namespace detail {
 using namespace mpm::detail;
 
-/// The quadrilaterals of a chunk of particles: area, weights of the corners, and the gradients of the first two; those
-/// of the opposite corners are their negatives. See CpdiQuad::weights.
+/// The quadrilaterals of a register of particles, the last of which stands in for those beyond `size`: corners, area,
+/// weights of the corners, and the gradients of the first two; those of the opposite corners are their negatives. See
+/// CpdiQuad::weights.
 template <class V>
 struct QuadWeights {
-  V area, weight[4], gradient[2][2];
+  V x[4], y[4], area, weight[4], gradient[2][2];
 
   template <class Shape>
   [[gnu::always_inline]] QuadWeights(const Shape& shape, std::size_t first, int size) {
-    alignas(64) double at[2][4][V::size];
-    for (int k = 0; k < V::size; ++k) {
-      const auto& quad = shape.quad[first + std::size_t(std::min(k, size - 1))];
-      for (int c = 0; c < 4; ++c)
-        for (int d = 0; d < 2; ++d) at[d][c][k] = shape.corner[quad[std::size_t(c)]][std::size_t(d)];
-    }
-    V x[4], y[4];
-    for (int c = 0; c < 4; ++c) x[c] = V::load(at[0][c]), y[c] = V::load(at[1][c]);
+    Word<double> low[V::size], high[V::size];  // corners 0 and 1, 2 and 3
+    shapes::unrolled<V::size>([&](auto k) __attribute__((always_inline)) {
+      const auto& quad = shape.quad[first + std::size_t(std::min(int(k), size - 1))];
+      join(shape.corner[quad[0]].data(), shape.corner[quad[1]].data(), low[k]);
+      join(shape.corner[quad[2]].data(), shape.corner[quad[3]].data(), high[k]);
+    });
+    const auto a = to_lanes<V>(low), b = to_lanes<V>(high);
+    for (std::size_t c = 0; c < 2; ++c)
+      x[c] = a[2 * c], y[c] = a[2 * c + 1], x[c + 2] = b[2 * c], y[c + 2] = b[2 * c + 1];
     area = V(0.5) * ((x[2] - x[0]) * (y[3] - y[1]) - (x[3] - x[1]) * (y[2] - y[0]));
-    const V a = (x[3] - x[0]) * (y[1] - y[2]) - (x[1] - x[2]) * (y[3] - y[0]);
-    const V b = (x[2] - x[3]) * (y[0] - y[1]) - (x[0] - x[1]) * (y[2] - y[3]);
+    const V p = (x[3] - x[0]) * (y[1] - y[2]) - (x[1] - x[2]) * (y[3] - y[0]);
+    const V q = (x[2] - x[3]) * (y[0] - y[1]) - (x[0] - x[1]) * (y[2] - y[3]);
     const V inverse = V(1) / area, s = V(1.0 / 24) * inverse, g = V(0.5) * inverse, six = V(6) * area;
-    weight[0] = (six - a - b) * s, weight[1] = (six - a + b) * s;
-    weight[2] = (six + a + b) * s, weight[3] = (six + a - b) * s;
+    weight[0] = (six - p - q) * s, weight[1] = (six - p + q) * s;
+    weight[2] = (six + p + q) * s, weight[3] = (six + p - q) * s;
     gradient[0][0] = (y[1] - y[3]) * g, gradient[0][1] = (x[3] - x[1]) * g;
     gradient[1][0] = (y[2] - y[0]) * g, gradient[1][1] = (x[0] - x[2]) * g;
   }
 };
 
+/// Adds what quadrilaterals give to their corners. The sums at the edge that a quadrilateral shares with the next one
+/// along the mesh stay in registers.
+template <class S, bool with_mass>
+class EdgeSums {
+ public:
+  explicit EdgeSums(CornerNodes<S>& corners) : corners_(corners) {}
+  EdgeSums(const EdgeSums&) = delete;
+  ~EdgeSums() {
+    if (open_) close();
+  }
+  /// `part` and `mass` by corner: 0 and 3 on the edge behind, 1 and 2 on the one ahead.
+  [[gnu::always_inline]] void add(const std::array<std::uint32_t, 4>& quad, const Word<double>* part,
+                                  const Word<double>& mass) {
+    Word<double> behind[2] = {part[0], part[3]};
+    double mass_behind[2] = {mass[0], mass[3]};
+    if (open_ && quad[0] == ahead_[0] && quad[3] == ahead_[1]) {
+      for (int e = 0; e < 2; ++e) behind[e] += sum_[e], mass_behind[e] += mass_[e];
+    } else if (open_) {
+      close();
+    }
+    give(quad[0], behind[0], mass_behind[0]);
+    give(quad[3], behind[1], mass_behind[1]);
+    ahead_[0] = quad[1], ahead_[1] = quad[2];
+    sum_[0] = part[1], sum_[1] = part[2];
+    mass_[0] = mass[1], mass_[1] = mass[2];
+    open_ = true;
+  }
+
+ private:
+  [[gnu::always_inline]] void give(std::size_t corner, const Word<double>& part, double mass) {
+    Word<double> sum;
+    auto& own = corners_.pair[corner].value;
+    std::memcpy(&sum, own.data(), sizeof(sum));
+    sum += part;
+    std::memcpy(own.data(), &sum, sizeof(sum));
+    if constexpr (with_mass) corners_.mass[corner] += mass;
+  }
+  [[gnu::always_inline]] void close() {
+    for (int e = 0; e < 2; ++e) give(ahead_[e], sum_[e], mass_[e]);
+  }
+
+  CornerNodes<S>& corners_;
+  std::size_t ahead_[2]{};
+  Word<double> sum_[2]{};
+  double mass_[2]{};
+  bool open_ = false;
+};
+
 }  // namespace detail
 
-/// m_c += w m and (m v)_c += w m v, f_c += -V sigma grad w + w m b, or both at once.
+/// m_c += w m and (m v)_c += w m v, f_c += -V sigma grad w + w m b, or both at once, in corners.mass and corners.pair.
 template <What what, class Body, class Force, class S = typename Body::SpaceType>
-std::size_t scatter(const Body& body, const ParticleOrder& order, CornerNodes<S>& corners,
-                    std::vector<Vector<S>>& momentum, const Force& body_force, double time) {
+std::size_t scatter(const Body& body, const ParticleOrder& order, CornerNodes<S>& corners, const Force& body_force,
+                    double time) {
   using V = typename Body::Lane;
   using Word = detail::Word<double>;
-  constexpr bool force = gives_forces<what>, mass = gives_mass<what>, velocity = gives_momentum<what>;
+  constexpr bool force = gives_forces<what>, velocity = gives_momentum<what>;
 
-  return for_each_strip(order, [&](std::size_t begin, std::size_t end) {
+  const auto give = [&](std::size_t begin, std::size_t end) {
     std::size_t bad = std::numeric_limits<std::size_t>::max();
+    detail::EdgeSums<S, gives_mass<what>> sums(corners);
     for (std::size_t first = begin; first < end; first += V::size) {
       const int size = int(std::min<std::size_t>(V::size, end - first));
       const detail::QuadWeights<V> w(body.shape, first, size);
       const V m = V::load(body.mass() + first), zero(0);
-      Word value[V::size], flux[2][V::size], weight[V::size];
+      Word value[V::size], flux[V::size], weight[V::size];
       V push[2][2]{}, b[2]{};
       if constexpr (force) {
         bad = std::min(bad, first_unsound<V>(body, first, size));
@@ -68,36 +120,117 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, CornerNodes<S>
       }
       detail::to_words(velocity ? m * V::load(body.v(0) + first) : zero,
                        velocity ? m * V::load(body.v(1) + first) : zero, b[0], b[1], value);
-      for (int c = 0; c < 2; ++c) detail::to_words(zero, zero, push[c][0], push[c][1], flux[c]);
+      detail::to_words(push[0][0], push[0][1], push[1][0], push[1][1], flux);
       detail::to_words(w.weight[0], w.weight[1], w.weight[2], w.weight[3], weight);
       for (int k = 0; k < size; ++k) {
-        const auto& quad = body.shape.quad[first + std::size_t(k)];
-        const double mk = body.mass()[first + std::size_t(k)];
-        shapes::unrolled<4>([&](auto c) __attribute__((always_inline)) {
-          const Word part = weight[k][int(c)] * value[k] + (c < 2 ? flux[c % 2][k] : -flux[c % 2][k]);
-          const std::size_t corner = quad[c];
-          if constexpr (mass) corners.mass[corner] += weight[k][int(c)] * mk;
-          if constexpr (velocity) detail::add_pair<0>(part, momentum[corner].data());
-          if constexpr (force) detail::add_pair<2>(part, corners.increment[corner].data());
-        });
+        const Word none{}, low = __builtin_shufflevector(none, flux[k], 0, 1, 4, 5),
+                           high = __builtin_shufflevector(none, flux[k], 0, 1, 6, 7);
+        const Word part[4] = {weight[k][0] * value[k] + low, weight[k][1] * value[k] + high,
+                              weight[k][2] * value[k] - low, weight[k][3] * value[k] - high};
+        sums.add(body.shape.quad[first + std::size_t(k)], part, weight[k] * body.mass()[first + std::size_t(k)]);
       }
+    }
+    return bad;
+  };
+  return std::min(for_each_strip(order, give), give(order.tail_begin(), body.size()));
+}
+
+/// What the corners have got, mass, momentum and force, goes on to the grid: CornerNodes::scatter with the corners of
+/// one cell added up before its nodes are touched.
+template <What what, class S>
+void scatter_corners(const CornerNodes<S>& corners, Grid<S>& grid, std::vector<Vector<S>>& momentum) {
+  using Word = detail::Word<double>;
+  constexpr bool force = gives_forces<what>, mass = gives_mass<what>, velocity = gives_momentum<what>;
+  corners.for_each_strip([&](std::span<const std::uint32_t> list) {
+    for (std::size_t k = 0; k < list.size();) {
+      const int cell = corners.anchor(list[k]).node;
+      Word sum[4]{}, masses{};
+      for (; k < list.size() && corners.anchor(list[k]).node == cell; ++k) {
+        const std::size_t c = list[k];
+        const double x = corners.anchor(c).x, y = corners.anchor(c).y;
+        const Word w = Word{1 - x, x, 1 - x, x} * Word{1 - y, 1 - y, y, y};
+        Word value;
+        std::memcpy(&value, corners.pair[c].value.data(), sizeof(value));
+        shapes::unrolled<4>([&](auto n) __attribute__((always_inline)) { sum[n] += w[int(n)] * value; });
+        if constexpr (mass) masses += w * corners.mass[c];
+      }
+      shapes::unrolled<4>([&](auto n) __attribute__((always_inline)) {
+        const auto node = std::size_t(cell + n % 2 + n / 2 * corners.stride());
+        if constexpr (mass) grid.mass[node] += masses[int(n)];
+        if constexpr (velocity) detail::add_pair<0>(sum[n], momentum[node].data());
+        if constexpr (force) detail::add_pair<2>(sum[n], grid.increment[node].data());
+      });
+    }
+  });
+}
+
+/// Interpolates two nodal fields of the grid to corners.pair; see CornerNodes::gather.
+template <class S>
+void gather_corners(CornerNodes<S>& corners, const std::vector<Vector<S>>& first,
+                    const std::vector<Vector<S>>& second) {
+  using Word = detail::Word<double>;
+  corners.for_each([&](std::size_t c) {
+    const auto& [cell, strip, x, y] = corners.anchor(c);
+    const double w[4] = {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
+    Word value{};
+    shapes::unrolled<4>([&](auto n) __attribute__((always_inline)) {
+      const auto node = std::size_t(cell + n % 2 + n / 2 * corners.stride());
+      Word at;
+      detail::join(first[node].data(), second[node].data(), at);
+      value += w[n] * at;
+    });
+    std::memcpy(corners.pair[c].value.data(), &value, sizeof(value));
+  });
+}
+
+/// The twin of CpdiQuad::convect for the corners: they ride the first or second of the fields gathered last.
+template <Strained strained, class Shape, class S>
+void move_corners(Shape& shape, const CornerNodes<S>& corners, double dt) {
+  constexpr std::size_t from = strained == Strained::by_second ? 2 : 0;
+  corners.for_each([&](std::size_t c) {
+    for (std::size_t d = 0; d < 2; ++d) shape.corner[c][d] += dt * corners.pair[c].value[from + d];
+  });
+}
+
+/// The twin of CpdiQuad::convect for the particles: positions and volumes from their corners. Returns the first whose
+/// quadrilateral has lost its area, or whose centroid is not between its corners, or body.size().
+template <class Body>
+std::size_t follow_corners(Body& body, const ChunkList& particles) {
+  using V = typename Body::Lane;
+  return particles.least([&](std::size_t chunk, int count) {
+    std::size_t bad = body.size();
+    for (int l = 0; l < count; l += V::size) {
+      const std::size_t p = chunk + std::size_t(l);
+      const int size = std::min(V::size, count - l);
+      const detail::QuadWeights<V> w(body.shape, p, size);
+      auto sound = w.area > V(0);
+      const auto centroid = [&](const V* x) {
+        const V at = w.weight[0] * x[0] + w.weight[1] * x[1] + (w.weight[2] * x[2] + w.weight[3] * x[3]);
+        sound = sound && at >= min(min(x[0], x[1]), min(x[2], x[3])) && at <= max(max(x[0], x[1]), max(x[2], x[3]));
+        return at;
+      };
+      const V x = centroid(w.x), y = centroid(w.y);
+      if (any(!sound)) [[unlikely]]
+        for (int k = 0; k < size; ++k)
+          if (!sound.v[k]) bad = std::min(bad, p + std::size_t(k));
+      x.store(body.x(0) + p), y.store(body.x(1) + p), w.area.store(body.volume() + p);
     }
     return bad;
   });
 }
 
-/// The twin of lanes::update for particles that see their own corners. Positions and volumes follow in
-/// CpdiQuad::convect.
+/// The twin of lanes::update for particles that see their own corners, with the two fields in corners.pair. Positions
+/// and volumes follow their corners later.
 template <bool Blend, Strained strained, class Body, class Integrator, class S = typename Body::SpaceType>
-std::size_t update(Body& body, const ChunkList& chunks, const std::vector<Vector<S>>& first_field,
-                   const std::vector<Vector<S>>& second_field, double cell, const Integrator& integrator, double time,
-                   double dt, std::vector<double>& partial, std::vector<StepLimits<double>>& limits) {
+std::size_t update(Body& body, const ChunkList& chunks, const CornerNodes<S>& corners, double cell,
+                   const Integrator& integrator, double time, double dt, std::vector<double>& partial,
+                   std::vector<StepLimits<double>>& limits) {
   using V = typename Body::Lane;
   using Word = detail::Word<double>;
   constexpr std::size_t from = strained == Strained::by_second ? 2 : 0;
   limits.resize(chunk_count(body));
-  LoopLaw<Body> law = body.law;
   return sum_work(body, chunks, partial, [&](std::size_t chunk, int count, std::int64_t& bad) {
+    LoopLaw<Body> law = body.law;
     ChunkStrain<V> strained_chunk;
     Word fastest{};  // corner
     for (int l = 0; l < count; l += V::size) {
@@ -106,17 +239,17 @@ std::size_t update(Body& body, const ChunkList& chunks, const std::vector<Vector
       const detail::QuadWeights<V> w(body.shape, p, size);
       Word first_pair[V::size], second_pair[V::size], sum[V::size], weight[V::size];
       detail::to_words(w.weight[0], w.weight[1], w.weight[2], w.weight[3], weight);
-      for (int k = 0; k < V::size; ++k) {
-        const auto& quad = body.shape.quad[p + std::size_t(std::min(k, size - 1))];
+      shapes::unrolled<V::size>([&](auto k) __attribute__((always_inline)) {
+        const auto& quad = body.shape.quad[p + std::size_t(std::min(int(k), size - 1))];
         Word at[4];
-        for (std::size_t c = 0; c < 4; ++c) {
-          detail::join(first_field[quad[c]], second_field[quad[c]], at[c]);
-          const Word speed = at[c] < 0 ? -at[c] : at[c];
+        shapes::unrolled<4>([&](auto c) __attribute__((always_inline)) {
+          std::memcpy(&at[c], corners.pair[quad[c]].value.data(), sizeof(Word));
+          const Word speed = detail::magnitude(at[c]);
           fastest = speed > fastest ? speed : fastest;
-        }
+        });
         sum[k] = weight[k][0] * at[0] + weight[k][1] * at[1] + (weight[k][2] * at[2] + weight[k][3] * at[3]);
         first_pair[k] = at[0] - at[2], second_pair[k] = at[1] - at[3];
-      }
+      });
       if constexpr (strained != Strained::none) {
         const auto a = detail::to_lanes<V>(first_pair), b = detail::to_lanes<V>(second_pair);
         Tensor<V> L;

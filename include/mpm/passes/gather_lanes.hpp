@@ -9,15 +9,6 @@ namespace mpm::lanes {
 namespace detail {
 using namespace mpm::detail;
 
-/// Two vectors of the plane in one word.
-template <class T>
-[[gnu::always_inline]] inline void join(const Eigen::Matrix<T, 2, 1>& a, const Eigen::Matrix<T, 2, 1>& b, Word<T>& to) {
-  Native<T, 2> low, high;
-  std::memcpy(&low, a.data(), sizeof(low));
-  std::memcpy(&high, b.data(), sizeof(high));
-  to = __builtin_shufflevector(low, high, 0, 1, 2, 3);
-}
-
 /// Two nodal vectors: in one word, in space in one each.
 template <class S>
 struct GatherRecord {
@@ -33,7 +24,7 @@ struct GatherRecord {
     if constexpr (D == 1) {
       to = W{a[node][0], b[node][0]};
     } else if constexpr (D == 2) {
-      join(a[node], b[node], to);
+      join(a[node].data(), b[node].data(), to);
     } else {
       const auto& v = word == 0 ? a[node] : b[node];
       to = W{v[0], v[1], v[2]};
@@ -123,8 +114,8 @@ std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, con
   using Record = detail::GatherRecord<S>;
   constexpr int D = S::dimension, K = Body::Shape::axis_nodes;
   limits.resize(chunk_count(body));
-  LoopLaw<Body> law = body.law;
   return sum_work(body, chunks, partial, [&](std::size_t first, int size, std::int64_t& bad) {
+    LoopLaw<Body> law = body.law;
     detail::ChunkWeights<S, K> w;
     StepLimits<typename S::Scalar> limit{.known = true};
     double work = 0;

@@ -106,6 +106,7 @@ Place place_of(const Body& body, std::size_t p, const Grid<S>& grid) {
     const int row = anchor / edge * edge;
     place.near = place.near && low >= row - edge && high <= row + 2 * edge - 1;
   }
+  if (Shape::domain_motion == DomainMotion::corners) inner = 0;  // its own mesh's order shares more than the grid's
   place.key = std::uint32_t(block) * grid.nodes_per_block + std::uint32_t(inner);
   return place;
 }

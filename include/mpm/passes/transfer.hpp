@@ -34,7 +34,7 @@ class Transfer {
   /// of their own, which scatter by the stencil: the weights of all passes must be the same to the last bit where a
   /// particle only just touches a node.
   static constexpr bool in_modes = HasModes<Body> && column_count == 0;
-  static constexpr bool corners_in_lanes = by_corners && std::is_same_v<Scalar, double>;
+  static constexpr bool corners_in_lanes = std::is_same_v<Shape, CpdiQuad> && std::is_same_v<Scalar, double>;
 
   /// Orders the particles and marks the blocks in use. Domains with corners keep their places while no corner has moved
   /// by as much as their strips leave room for.
@@ -99,7 +99,12 @@ class Transfer {
     constexpr bool second = Blend || strained == Strained::by_second;
     if constexpr (column_count > 0 && Blend) IntegratorT::gather_columns(body, order_.chunks, grid, columns_);
     const auto& own = nodes(grid);
-    if constexpr (by_corners) {
+    if constexpr (corners_in_lanes) {
+      lanes::gather_corners(corners_, grid.velocity,
+                            !second ? grid.velocity
+                            : Blend ? grid.increment
+                                    : grid.strain_velocity);
+    } else if constexpr (by_corners) {
       corners_.gather(grid.velocity, corners_.velocity);
       if constexpr (Blend) corners_.gather(grid.increment, corners_.increment);
       if constexpr (strained == Strained::by_second) corners_.gather(grid.strain_velocity, corners_.strain_velocity);
@@ -107,8 +112,8 @@ class Transfer {
     const auto& other = !second ? own.velocity : Blend ? own.increment : own.strain_velocity;
     std::size_t bad = body.size();
     if constexpr (corners_in_lanes) {
-      bad = lanes::update<Blend, strained>(body, order_.chunks, own.velocity, other, grid.cell(), integrator, time, dt,
-                                           partial_, limits_);
+      bad = lanes::update<Blend, strained>(body, order_.chunks, corners_, grid.cell(), integrator, time, dt, partial_,
+                                           limits_);
     } else if constexpr (in_modes) {
       bad = lanes::update<Blend, strained, Move>(body, order_.chunks, grid, own.velocity, other, integrator, time, dt,
                                                  partial_, limits_);
@@ -146,8 +151,13 @@ class Transfer {
           requires { body.shape.convect(body, corners_.velocity, dt, corners_.chunks(), order_.chunks); },
           "mpm::ShapeFunction: domain_motion is `corners`, so the shape must have the member convect(body, velocity, "
           "dt, corners, particles), which moves its domains");
-      return body.shape.convect(body, strained == Strained::by_second ? corners_.strain_velocity : corners_.velocity,
-                                dt, corners_.chunks(), order_.chunks);
+      if constexpr (corners_in_lanes) {
+        lanes::move_corners<strained>(body.shape, corners_, dt);
+        return lanes::follow_corners(body, order_.chunks);
+      } else {
+        return body.shape.convect(body, strained == Strained::by_second ? corners_.strain_velocity : corners_.velocity,
+                                  dt, corners_.chunks(), order_.chunks);
+      }
     } else {
       return body.size();
     }
@@ -214,39 +224,49 @@ class Transfer {
   template <What what, class Nodes, class Force>
   std::size_t scatter_to(const Body& body, Nodes& own, std::vector<Vector<S>>& momentum, const Force& body_force,
                          double time) {
-    if constexpr (corners_in_lanes || in_modes) {
-      std::size_t bad = lanes::scatter<what>(body, order_, own, momentum, body_force, time);
-      for (std::size_t p = order_.tail_begin(); p < body.size(); ++p)
+    const auto plainly = [&](std::size_t begin, std::size_t end) {
+      std::size_t bad = body.size();
+      for (std::size_t p = begin; p < end; ++p)
         bad = std::min(bad, scatter_plainly<what>(body, p, own, momentum, body_force, time));
       return bad;
+    };
+    std::size_t bad;
+    if constexpr (in_modes) {
+      bad = lanes::scatter<what>(body, order_, own, momentum, body_force, time);
     } else {
-      const auto give = [&](std::size_t p) { return scatter_plainly<what>(body, p, own, momentum, body_force, time); };
-      std::size_t bad = for_each_strip(order_, [&](std::size_t begin, std::size_t end) {
-        std::size_t least = body.size();
-        for (std::size_t p = begin; p < end; ++p) least = std::min(least, give(p));
-        return least;
-      });
-      for (std::size_t p = order_.tail_begin(); p < body.size(); ++p) bad = std::min(bad, give(p));
-      return bad;
+      bad = for_each_strip(order_, plainly);
     }
+    return std::min(bad, plainly(order_.tail_begin(), body.size()));
   }
   template <What what, class Force>
   std::size_t scatter_by_corners(const Body& body, Grid<S>& grid, std::vector<Vector<S>>& momentum,
                                  const Force& body_force, double time) {
-    corners_.for_each([&](std::size_t c) {
-      if constexpr (gives_mass<what>) corners_.mass[c] = 0;
-      if constexpr (gives_momentum<what>) corners_.velocity[c].setZero();
-      if constexpr (gives_forces<what>) corners_.increment[c].setZero();
-    });
-    const std::size_t bad = scatter_to<what>(body, corners_, corners_.velocity, body_force, time);
-    if constexpr (gives_forces<what>)
-      if (body.shape.pressure != 0) body.shape.load_surface(corners_.increment);
-    corners_.scatter([&](std::size_t c, int I, Scalar w) {
-      if constexpr (gives_mass<what>) grid.mass[I] += w * corners_.mass[c];
-      if constexpr (gives_momentum<what>) momentum[I] += w * corners_.velocity[c];
-      if constexpr (gives_forces<what>) grid.increment[I] += w * corners_.increment[c];
-    });
-    return bad;
+    const bool loaded = gives_forces<what> && body.shape.pressure != 0;
+    if constexpr (corners_in_lanes) {
+      corners_.for_each([&](std::size_t c) { corners_.mass[c] = 0, corners_.pair[c] = {}; });
+      const std::size_t bad = lanes::scatter<what>(body, order_, corners_, body_force, time);
+      if (loaded)
+        body.shape.load_surface([&](std::size_t c, const std::array<double, 2>& f) {
+          for (std::size_t d = 0; d < 2; ++d) corners_.pair[c].value[2 + d] += f[d];
+        });
+      lanes::scatter_corners<what>(corners_, grid, momentum);
+      return bad;
+    } else {
+      corners_.for_each([&](std::size_t c) {
+        corners_.mass[c] = 0, corners_.velocity[c].setZero(), corners_.increment[c].setZero();
+      });
+      const std::size_t bad = scatter_to<what>(body, corners_, corners_.velocity, body_force, time);
+      if (loaded)
+        body.shape.load_surface([&](std::size_t c, const std::array<double, 2>& f) {
+          corners_.increment[c] += Vector<S>(Scalar(f[0]), Scalar(f[1]));
+        });
+      corners_.scatter([&](std::size_t c, int I, Scalar w) {
+        if constexpr (gives_mass<what>) grid.mass[I] += w * corners_.mass[c];
+        if constexpr (gives_momentum<what>) momentum[I] += w * corners_.velocity[c];
+        if constexpr (gives_forces<what>) grid.increment[I] += w * corners_.increment[c];
+      });
+      return bad;
+    }
   }
 
   ParticleOrder order_;

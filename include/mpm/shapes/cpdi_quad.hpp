@@ -131,16 +131,14 @@ struct CpdiQuad {
       return bad;
     });
   }
-  /// Adds the pressure on the free edges to the forces on the corners, with the weights of the internal force, so that
-  /// a constant stress balances it exactly.
-  template <class V>
-  void load_surface(std::vector<V>& force) const {
-    using Scalar = typename V::Scalar;
+  /// Calls add(corner, force) for the pressure on the free edges, with the weights of the internal force, so that a
+  /// constant stress balances it exactly.
+  template <class F>
+  void load_surface(const F& add) const {
     for (const auto& [i, j] : surface) {
-      const V half(Scalar(-0.5 * pressure * (corner[j][1] - corner[i][1])),
-                   Scalar(0.5 * pressure * (corner[j][0] - corner[i][0])));
-      force[i] += half;
-      force[j] += half;
+      const Point half{-0.5 * pressure * (corner[j][1] - corner[i][1]), 0.5 * pressure * (corner[j][0] - corner[i][0])};
+      add(i, half);
+      add(j, half);
     }
   }
 
