@@ -98,9 +98,13 @@ template <class T, int N>
 Lanes<T, N> select(const LaneMask<T, N>& condition, const Lanes<T, N>& yes, const Lanes<T, N>& no) {
   return condition.v ? yes.v : no.v;
 }
+template <class Integers>
+bool any_of(const Integers& found) {
+  return detail::by_halves<int(sizeof(found) / sizeof(found[0]))>(found, [](auto a, auto b) { return a | b; }) != 0;
+}
 template <class T, int N>
 bool any(const LaneMask<T, N>& condition) {
-  return detail::by_halves<N>(condition.v, [](const auto& a, const auto& b) { return a | b; }) != 0;
+  return any_of(condition.v);
 }
 template <class T, int N>
 Lanes<T, N> max(const Lanes<T, N>& a, const Lanes<T, N>& b) {

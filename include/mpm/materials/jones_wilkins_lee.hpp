@@ -51,24 +51,24 @@ struct JonesWilkinsLee {
   /// Pressure of the products, Pa.
   template <class V>
   V pressure(const V& volume, const V& energy) const {
-    return cold(volume) + V(omega) * energy / volume;
+    return cold(isentrope(volume)) + V(omega) * energy / volume;
   }
 
   /// Isentropic bulk modulus -V dp/dV (dE = -p dV) of the products, Pa.
   template <class V>
   V bulk_modulus(const V& volume, const V& energy) const {
-    const V x = V(R1) * volume, y = V(R2) * volume, w(omega);
-    const V slope = V(A) * exp(-x) * (x - w - w / x) + V(B) * exp(-y) * (y - w - w / y);
-    return slope + w * (pressure(volume, energy) + energy / volume);
+    return bulk_modulus(isentrope(volume), energy / volume);
   }
 
+  /// The sound speed in the viscosity is that of the new volume and the old energy.
   template <class V>
   void update(State<V>& s, const Increment<V>& step) const {
     s.burned = burned_fraction(s, step);
-    const V density_now = V(density) / step.J;
-    const V c = sqrt(max(bulk_modulus(step.J_old, s.energy), V(0)) * step.J_old / V(density));
+    const V inverse = V(1) / step.J, density_now = V(density) * inverse, F = s.burned;
+    const auto parts = isentrope(step.J);
+    const V c = sqrt(max(bulk_modulus(parts, s.energy * inverse), V(0)) * step.J * V(1 / density));
     const V q = viscosity.pressure(density_now, c, trace(step.L), step.cell);
-    const V dV = step.J - step.J_old, a = cold(step.J), b = V(omega) / step.J, F = s.burned;
+    const V dV = step.J - step.J_old, a = cold(parts), b = V(omega) * inverse;
     s.energy = (s.energy - V(0.5) * dV * (s.pressure + F * a + q)) / (V(1) + V(0.5) * dV * F * b);
     s.pressure = F * (a + b * s.energy) + q;
   }
@@ -88,7 +88,7 @@ struct JonesWilkinsLee {
   /// E = E0 + p (1 - V)/2, there also the isentrope has its slope.
   ChapmanJouguet chapman_jouguet() const {
     const auto hugoniot = [this](double v) {
-      return (cold(v) + omega / v * initial_energy) / (1 - omega / v * (1 - v) / 2);
+      return (cold(isentrope(v)) + omega / v * initial_energy) / (1 - omega / v * (1 - v) / 2);
     };
     double low = .4, high = .999;
     for (int i = 0; i < 100; ++i) {
@@ -110,10 +110,25 @@ struct JonesWilkinsLee {
   }
 
  private:
+  /// What the exponentials are at a volume V: A e^(-R1 V) and B e^(-R2 V), and w over the exponents.
   template <class V>
-  V cold(const V& volume) const {
-    const V x = V(R1) * volume, y = V(R2) * volume, w(omega);
-    return V(A) * (V(1) - w / x) * exp(-x) + V(B) * (V(1) - w / y) * exp(-y);
+  struct Isentrope {
+    V x, y, a, b, w_x, w_y;
+  };
+  template <class V>
+  Isentrope<V> isentrope(const V& volume) const {
+    const V x = V(R1) * volume, y = V(R2) * volume, inverse = V(omega) / volume;
+    return {x, y, V(A) * exp(-x), V(B) * exp(-y), V(1 / R1) * inverse, V(1 / R2) * inverse};
+  }
+  template <class V>
+  V cold(const Isentrope<V>& i) const {
+    return i.a * (V(1) - i.w_x) + i.b * (V(1) - i.w_y);
+  }
+  /// With the energy per current volume.
+  template <class V>
+  V bulk_modulus(const Isentrope<V>& i, const V& energy) const {
+    const V w(omega), slope = i.a * (i.x - w - i.w_x) + i.b * (i.y - w - i.w_y);
+    return slope + w * (cold(i) + V(omega + 1) * energy);
   }
 
   /// F = min(1, max(F1, F2)), never falling: F1 smears the front over 1.5 cells behind the lighting time, F2 lets

@@ -81,10 +81,10 @@ struct StencilNodes {
   std::ptrdiff_t row[rows];  ///< first node of each, beyond a face or not
   std::ptrdiff_t in_row[K];  ///< along the first axis
   int beyond[D];             ///< -1 or 1 where the first or last node lies beyond a face
+  bool whole = true;         ///< none does
 
   [[gnu::always_inline]] StencilNodes(const Grid<S>& grid, const std::int32_t (*anchor)[chunk_size], int particle) {
     std::ptrdiff_t along[D][K];
-    bool whole = true;
     for (int d = 0; d < D; ++d) {
       const int first = anchor[d][particle] - shapes::nodes_before<K>, last = first + K - 1;
       beyond[d] = first < 0 ? -1 : last > grid.cells(d) ? 1 : 0;
@@ -102,12 +102,11 @@ struct StencilNodes {
       if constexpr (D > 2) row[r] += along[2][r / K];
     }
     for (int k = 0; k < K; ++k) in_row[k] = along[0][k];
-    contiguous = beyond[0] == 0;
   }
   /// Calls f(I, node) for every node of the stencil, with I known at compile time.
   template <class F>
   [[gnu::always_inline]] void for_each(const F& f) const {
-    if (contiguous) [[likely]] {
+    if (whole) [[likely]] {
       shapes::unrolled<rows * K>([&](auto I) __attribute__((always_inline)) {
         f(I, std::size_t(row[I / K] + in_row[0]) + std::size_t(I % K));
       });
@@ -128,10 +127,10 @@ struct StencilNodes {
   }
 
  private:
-  bool contiguous;
-
   template <class F>
   void at_faces(const F& f) const {
+    if (whole) [[likely]]
+      return;
     for (int d = 0, stride = 1; d < D; ++d, stride *= K) {
       if (beyond[d] == 0) continue;
       const int from = beyond[d] < 0 ? 0 : (K - 1) * stride, inward = beyond[d] < 0 ? stride : -stride;

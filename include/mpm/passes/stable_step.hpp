@@ -144,17 +144,15 @@ GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int c
     GridStiffness<V> by_lane;
     for (int l = 0; l < count; l += V::size) {
       const std::size_t p = first + std::size_t(l);
-      const int size = std::min(V::size, count - l);
       std::array<AxisModes<V, K>, S::dimension> modes;
-      bool fit = body.shape.modes(body, p, grid, coordinates(body, p, grid), modes);
+      bool fit = count - l >= V::size && body.shape.modes(body, p, grid, coordinates(body, p, grid), modes);
       if constexpr (continues_linearly<typename Body::Shape>)
-        for (int d = 0; d < S::dimension; ++d)
-          for (int k = 0; k < size; ++k) {
-            const int low = modes[std::size_t(d)].anchor[k] - shapes::nodes_before<K>;
-            fit = fit && low >= 0 && low + K - 1 <= grid.cells(d);
-          }
-      if (!fit || size < V::size) {
-        plainly(p, p + std::size_t(size));
+        for (int d = 0; fit && d < S::dimension; ++d) {
+          const auto low = modes[std::size_t(d)].anchor - shapes::nodes_before<K>;
+          fit = !any_of((low < 0) | (low > grid.cells(d) + 1 - K));
+        }
+      if (!fit) {
+        plainly(p, p + std::size_t(std::min(V::size, count - l)));
         continue;
       }
       std::array<V, S::dimension> b;
