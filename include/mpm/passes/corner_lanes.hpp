@@ -2,8 +2,8 @@
 #pragma once
 #include <mpm/corner_nodes.hpp>
 #include <mpm/passes/gather_lanes.hpp>
+#include <mpm/passes/quad_weights.hpp>
 #include <mpm/passes/scatter_lanes.hpp>
-#include <mpm/shapes/cpdi_quad.hpp>
 
 // Between particles and their own corners, a chunk at a time: what scatter.hpp, gather.hpp and update_stress.hpp do
 // with the corner stencil.
@@ -11,35 +11,6 @@ namespace mpm::lanes {
 
 namespace detail {
 using namespace mpm::detail;
-
-/// The quadrilaterals of a register of particles, the last of which stands in for those beyond `size`: corners, area,
-/// weights of the corners, and the gradients of the first two; those of the opposite corners are their negatives. See
-/// CpdiQuad::weights.
-template <class V>
-struct QuadWeights {
-  V x[4], y[4], area, weight[4], gradient[2][2];
-
-  template <class Shape>
-  [[gnu::always_inline]] QuadWeights(const Shape& shape, std::size_t first, int size) {
-    Word<double> low[V::size], high[V::size];  // corners 0 and 1, 2 and 3
-    shapes::unrolled<V::size>([&](auto k) __attribute__((always_inline)) {
-      const auto& quad = shape.quad[first + std::size_t(std::min(int(k), size - 1))];
-      join(shape.corner[quad[0]].data(), shape.corner[quad[1]].data(), low[k]);
-      join(shape.corner[quad[2]].data(), shape.corner[quad[3]].data(), high[k]);
-    });
-    const auto a = to_lanes<V>(low), b = to_lanes<V>(high);
-    for (std::size_t c = 0; c < 2; ++c)
-      x[c] = a[2 * c], y[c] = a[2 * c + 1], x[c + 2] = b[2 * c], y[c + 2] = b[2 * c + 1];
-    area = V(0.5) * ((x[2] - x[0]) * (y[3] - y[1]) - (x[3] - x[1]) * (y[2] - y[0]));
-    const V p = (x[3] - x[0]) * (y[1] - y[2]) - (x[1] - x[2]) * (y[3] - y[0]);
-    const V q = (x[2] - x[3]) * (y[0] - y[1]) - (x[0] - x[1]) * (y[2] - y[3]);
-    const V inverse = V(1) / area, s = V(1.0 / 24) * inverse, g = V(0.5) * inverse, six = V(6) * area;
-    weight[0] = (six - p - q) * s, weight[1] = (six - p + q) * s;
-    weight[2] = (six + p + q) * s, weight[3] = (six + p - q) * s;
-    gradient[0][0] = (y[1] - y[3]) * g, gradient[0][1] = (x[3] - x[1]) * g;
-    gradient[1][0] = (y[2] - y[0]) * g, gradient[1][1] = (x[0] - x[2]) * g;
-  }
-};
 
 /// Adds what quadrilaterals give to their corners. The sums at the edge that a quadrilateral shares with the next one
 /// along the mesh stay in registers.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <mpm/passes/chunk.hpp>
+#include <mpm/passes/domain_weights.hpp>
 #include <mpm/passes/update_stress.hpp>
 
 // The passes of gather.hpp and update_stress.hpp for shape functions in modes, in one.
@@ -54,8 +54,8 @@ struct Seen {
   static constexpr int field = strained == Strained::by_second;
   typename Record::W values[Record::words][chunk_size], slopes[D][chunk_size];
 
-  template <bool Both, int K>
-  [[gnu::always_inline]] void compute(const ChunkWeights<S, K>& w, int size, const Grid<S>& grid,
+  template <bool Both, int K, class Weights>
+  [[gnu::always_inline]] void compute(const Weights& w, int size, const Grid<S>& grid,
                                       const std::vector<Vector<S>>& first, const std::vector<Vector<S>>& second) {
     using Word = typename Record::W;
     constexpr int count = shapes::power(K, D);
@@ -116,7 +116,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, con
   limits.resize(chunk_count(body));
   return sum_work(body, chunks, partial, [&](std::size_t first, int size, std::int64_t& bad) {
     LoopLaw<Body> law = body.law;
-    detail::ChunkWeights<S, K> w;
+    typename detail::WeightsOf<Body>::Type w;
     StepLimits<typename S::Scalar> limit{.known = true};
     double work = 0;
     if (!w.compute(body, first, size, grid)) {
@@ -132,7 +132,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, con
       }
     } else {
       detail::Seen<S, strained, detail::continues_linearly<typename Body::Shape>> seen;
-      seen.template compute<Blend>(w, size, grid, first_field, second_field);
+      seen.template compute<Blend, K>(w, size, grid, first_field, second_field);
       ChunkStrain<V> strained_chunk;
       for (int l = 0; l < size; l += V::size) {
         const std::size_t p = first + std::size_t(l);

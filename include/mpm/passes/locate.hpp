@@ -60,9 +60,9 @@ concept has_fixed_stencil = Shape::domain_motion == DomainMotion::rigid&& requir
   Shape::axis_nodes;
 };
 
-/// Cells by which domains may drift before they are looked at again: corners are not looked at each step.
+/// Cells by which domains that change may drift before they are looked at again.
 template <class Shape>
-inline constexpr double slack = Shape::domain_motion == DomainMotion::corners ? 0.25 : 0;
+inline constexpr double slack = Shape::domain_motion == DomainMotion::rigid ? 0 : 0.25;
 
 /// Where one particle stands in the grid.
 struct Place {
@@ -98,8 +98,10 @@ Place place_of(const Body& body, std::size_t p, const Grid<S>& grid) {
     } else {
       low = int(grid.coordinate(x - reach[d], d)), high = int(grid.coordinate(x + reach[d], d)) + 1;
     }
-    if constexpr (requires { requires Shape::axis_nodes == 3; })  // nodes without weight are added to, too
-      low = std::min(low, anchor - 1), high = std::max(high, anchor + 1);
+    if constexpr (requires { requires Shape::axis_nodes == 3; }) {  // nodes without weight are added to, too
+      const Scalar drift = Scalar(slack<Shape> + 0.5);
+      low = std::min(low, int(xi + Scalar(1) - drift) - 1), high = std::max(high, int(xi + drift) + 1);
+    }
     if (d == S::dimension - 1) place.low = low, place.high = high;
     block += anchor / edge * grid.block_stride(d);
     inner = inner * edge + anchor % edge;

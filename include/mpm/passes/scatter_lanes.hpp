@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/body_force.hpp>
-#include <mpm/passes/chunk.hpp>
+#include <mpm/passes/domain_weights.hpp>
 #include <mpm/passes/scatter.hpp>
 
 // The passes of scatter.hpp for shape functions in modes.
@@ -54,29 +54,24 @@ template <int Slot, class T, int D>
 
 /// What a chunk of particles gives to its nodes: a word as a value (momentum, mass, weight) and one an axis as slopes
 /// (the flux of force).
-template <class S>
+template <class S, class Weights>
 struct Given {
   using Record = ScatterRecord<S>;
   using W = Word<typename S::Scalar>;
   W value[Record::words][chunk_size];
   W slope[S::dimension][chunk_size];
-  W mass[Record::own_mass ? chunk_size : 1];  ///< by mode of the first axis, where it has no place in the words
+  W mass[Record::own_mass ? Weights::mass_words : 1][chunk_size];  ///< by mode, where it has no place in the words
 
-  template <What what, class Body, class Force, int K>
+  template <What what, class Body, class Force>
   [[gnu::always_inline]] void compute(const Body& body, std::size_t first, int size, const Grid<S>& grid,
-                                      const ChunkWeights<S, K>& w, const Force& body_force, double time) {
+                                      const Weights& w, const Force& body_force, double time) {
     using V = typename Body::Lane;
     constexpr int D = S::dimension;
     for (int l = 0; l < chunk_size; l += V::size) {
       const std::size_t p = first + std::size_t(l);
       const V m = V::load(body.mass() + p);
       V v[3]{}, b[3]{}, s[3][3]{};
-      if constexpr (gives_mass<what> && Record::own_mass) {
-        V by_mode[4]{};
-        by_mode[0] = K == 2 ? m * V::load(&w.weight[0][0][l]) : m;
-        for (int k = 1; k < K; ++k) by_mode[k] = m * V::load(&w.weight[0][K == 2 ? k : k - 1][l]);
-        to_words(by_mode[0], by_mode[1], by_mode[2], by_mode[3], &mass[l]);
-      }
+      if constexpr (gives_mass<what> && Record::own_mass) w.weigh(l, m, mass);
       if constexpr (gives_momentum<what>)
         for (int d = 0; d < D; ++d) v[d] = m * V::load(body.v(d) + p);
       if constexpr (gives_forces<what>) {
@@ -120,8 +115,9 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
   constexpr bool continued = detail::continues_linearly<typename Body::Shape>;
 
   return for_each_strip(order, [&](std::size_t begin, std::size_t end) {
-    detail::ChunkWeights<S, K> w;
-    detail::Given<S> given;
+    using Weights = typename detail::WeightsOf<Body>::Type;
+    Weights w;
+    detail::Given<S, Weights> given;
     std::size_t bad = std::numeric_limits<std::size_t>::max();
     for (std::size_t first = begin; first < end; first += chunk_size) {
       const int size = int(std::min<std::size_t>(chunk_size, end - first));
@@ -161,13 +157,8 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
           });
         });
         if constexpr (mass && Record::own_mass) {
-          constexpr int first_weight = K == 2 ? 0 : 1;
           Word sum[K]{};  // a word a row
-          for (int q = p; q < next; ++q) {
-            const Word& row = given.mass[q];
-            sum[0] += K == 2 ? w.weight[1][0][q] * row : row;
-            for (int k = 1; k < K; ++k) sum[k] += w.weight[1][k - first_weight][q] * row;
-          }
+          for (int q = p; q < next; ++q) w.add_mass(given.mass, q, sum);
           Scalar at[count];
           for (int j = 0; j < K; ++j)
             for (int i = 0; i < K; ++i) at[j * K + i] = sum[j][i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <mpm/passes/chunk.hpp>
+#include <mpm/passes/domain_weights.hpp>
+#include <mpm/passes/quad_weights.hpp>
 #include <mpm/passes/update_stress.hpp>
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,53 @@ V axis_stiffness(const AxisModes<V, K>& m) {
   return K == 2 ? sum : sum + slope * slope / (V(1) - weight);  // the anchor's
 }
 
+/// Eigenvalues of G_p, 1/cell^2, of a domain in modes; see grid_stiffness.
+template <class V>
+[[gnu::always_inline]] inline std::array<V, 2> domain_stiffness(DomainModes<V> m) {
+  shapes::all_to_nodes<2, 3>(m.weight);
+  for (V* slope : m.slope) shapes::all_to_nodes<2, 3>(slope);
+  const V least(negligible_weight<typename V::Scalar>);
+  V xx(0), yy(0), xy(0);
+  for (int k = 0; k < m.modes; ++k) {
+    const V w = abs(m.weight[k]), inverse = select(w > least, V(1) / max(w, least), V(0));
+    const V gx = m.slope[0][k], gy = m.slope[1][k];
+    xx += gx * gx * inverse, yy += gy * gy * inverse, xy += gx * gy * inverse;
+  }
+  const V mean = V(0.5) * (xx + yy), half = V(0.5) * (xx - yy), radius = sqrt(half * half + xy * xy);
+  return {mean + radius, mean - radius};
+}
+
+/// What the grid is to a register of particles, 1/cell^2, as in grid_stiffness. Returns false where modes do not serve.
+template <class Body, class S, class V>
+[[gnu::always_inline]] inline bool register_stiffness(const Body& body, std::size_t p, const Grid<S>& grid,
+                                                      std::array<V, S::dimension>& b) {
+  using Shape = typename Body::Shape;
+  if constexpr (HasModes<Body>) {
+    constexpr int K = Shape::axis_nodes;
+    std::array<AxisModes<V, K>, S::dimension> modes;
+    if (!body.shape.modes(body, p, grid, coordinates(body, p, grid), modes)) return false;
+    if constexpr (continues_linearly<Shape>)
+      for (int d = 0; d < S::dimension; ++d) {
+        const auto low = modes[std::size_t(d)].anchor - shapes::nodes_before<K>;
+        if (any_of((low < 0) | (low > grid.cells(d) + 1 - K))) return false;
+      }
+    for (std::size_t d = 0; d < b.size(); ++d) b[d] = axis_stiffness<V, K>(modes[d]);
+    return true;
+  } else if constexpr (HasDomainModes<Body>) {
+    DomainModes<V> modes;
+    const bool fit = body.shape.domain_modes(body, p, grid, modes);
+    b = domain_stiffness(modes);
+    return fit;
+  } else if constexpr (std::is_same_v<Shape, CpdiQuad> && std::is_same_v<typename S::Scalar, double>) {
+    DomainModes<V> modes;
+    const bool fit = quad_modes(body, p, V::size, grid, modes);
+    b = domain_stiffness(modes);
+    return fit;
+  } else {
+    return false;
+  }
+}
+
 /// Stiffness of the grid to a chunk of particles, from their modes, or from their stencils where modes do not serve.
 template <class Body, class S, class Scalar = typename S::Scalar>
 GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int count, const Grid<S>& grid) {
@@ -137,33 +185,21 @@ GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int c
     for (std::size_t p = begin; p < end; ++p)
       stiffness.template raise<S>(grid_stiffness<S>(make_stencil(body, p, grid)), body.x(0)[p]);
   };
-  if constexpr (HasModes<Body>) {
-    using V = typename Body::Lane;
-    constexpr int K = Body::Shape::axis_nodes;
-    const V per_square(grid.inverse_cell() * grid.inverse_cell());
-    GridStiffness<V> by_lane;
-    for (int l = 0; l < count; l += V::size) {
-      const std::size_t p = first + std::size_t(l);
-      std::array<AxisModes<V, K>, S::dimension> modes;
-      bool fit = count - l >= V::size && body.shape.modes(body, p, grid, coordinates(body, p, grid), modes);
-      if constexpr (continues_linearly<typename Body::Shape>)
-        for (int d = 0; fit && d < S::dimension; ++d) {
-          const auto low = modes[std::size_t(d)].anchor - shapes::nodes_before<K>;
-          fit = !any_of((low < 0) | (low > grid.cells(d) + 1 - K));
-        }
-      if (!fit) {
-        plainly(p, p + std::size_t(std::min(V::size, count - l)));
-        continue;
-      }
-      std::array<V, S::dimension> b;
-      for (std::size_t d = 0; d < b.size(); ++d) b[d] = per_square * axis_stiffness<V, K>(modes[d]);
-      by_lane.template raise<S>(b, V::load(body.x(0) + p));
+  using V = typename Body::Lane;
+  const V per_square(grid.inverse_cell() * grid.inverse_cell());
+  GridStiffness<V> by_lane;
+  for (int l = 0; l < count; l += V::size) {
+    const std::size_t p = first + std::size_t(l);
+    std::array<V, S::dimension> b;
+    if (count - l < V::size || !register_stiffness(body, p, grid, b)) {
+      plainly(p, p + std::size_t(std::min(V::size, count - l)));
+      continue;
     }
-    stiffness.shear = larger_or_nan(stiffness.shear, largest(by_lane.shear));
-    stiffness.lambda = larger_or_nan(stiffness.lambda, largest(by_lane.lambda));
-  } else {
-    plainly(first, first + std::size_t(count));
+    for (V& k : b) k *= per_square;
+    by_lane.template raise<S>(b, V::load(body.x(0) + p));
   }
+  stiffness.shear = larger_or_nan(stiffness.shear, largest(by_lane.shear));
+  stiffness.lambda = larger_or_nan(stiffness.lambda, largest(by_lane.lambda));
   return stiffness;
 }
 

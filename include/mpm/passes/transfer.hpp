@@ -33,15 +33,21 @@ class Transfer {
   /// Fast passes for shapes in modes, and for corners; the plain ones for all others, and for integrators with columns
   /// of their own, which scatter by the stencil: the weights of all passes must be the same to the last bit where a
   /// particle only just touches a node.
-  static constexpr bool in_modes = HasModes<Body> && column_count == 0;
+  static constexpr bool in_modes = (HasModes<Body> || HasDomainModes<Body>)&&column_count == 0;
   static constexpr bool corners_in_lanes = std::is_same_v<Shape, CpdiQuad> && std::is_same_v<Scalar, double>;
 
-  /// Orders the particles and marks the blocks in use. Domains with corners keep their places while no corner has moved
-  /// by as much as their strips leave room for.
+  static constexpr bool domains_change = Shape::domain_motion != DomainMotion::rigid;
+  /// Domains are looked at again only when they may have drifted out of their places; not so where F changes between
+  /// two passes of one step (USF).
+  static constexpr bool may_settle =
+      by_corners || (domains_change && IntegratorT::stress_update != StressUpdate::first);
+
+  /// Orders the particles and marks the blocks in use. Domains keep their places while none has moved or stretched by
+  /// as much as their strips leave room for.
   void locate(Body& body, Grid<S>& grid) {
     columns_.resize(body.size());
     const bool settled =
-        by_corners && limits_.size() == chunk_count(body) && strayed_ < Scalar(detail::slack<Shape>) * grid.cell();
+        may_settle && limits_.size() == chunk_count(body) && strayed_ < Scalar(detail::slack<Shape>) * grid.cell();
     if (!settled) strayed_ = 0;
     const Relocated changed = mpm::locate(body, grid, order_, settled);
     if (changed == Relocated::order) {
@@ -139,7 +145,7 @@ class Transfer {
         fastest = std::max(fastest, v.cwiseAbs().maxCoeff());
       for (auto& limit : limits_) limit.speed = fastest;
     }
-    if constexpr (Move && !in_modes) note_motion(grid, dt);
+    if constexpr (Move && domains_change) note_motion(grid, dt);
     return bad;
   }
   /// Corners ride the nodes, with the field that strained the particles. Returns the first particle whose domain has

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/concepts/shape_function.hpp>
+#include <mpm/shapes/modes.hpp>
 #include <mpm/shapes/tensor_product.hpp>
 #include <utility>
 #include <limits>
@@ -53,6 +54,68 @@ struct Cpdi {
                                    std::abs(F.yx) * l0 + std::abs(F.yy) * l1};
     }
   }
+  static constexpr int axis_nodes = 3;
+  /// Serves domains whose corners lie within a cell of the centre's nearest node; `stencil` serves all.
+  template <class Body, class V, std::size_t D>
+  [[gnu::always_inline]] bool modes(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>& grid,
+                                    const std::array<V, D>& xi, std::array<AxisModes<V, 3>, D>& out) const
+      requires(D == 1) {
+    const V r = body.template F<V>(p).xx * V(half_size[0]), x = V::load(body.x(0) + p);
+    const V slope = V(grid.cell()) / (V(2) * r);
+    out[0].anchor = truncated(xi[0] + V(0.5));
+    const auto left = hats(grid, 0, x - r, out[0].anchor), right = hats(grid, 0, x + r, out[0].anchor);
+    for (std::size_t k = 0; k < 2; ++k) {
+      out[0].weight[k] = V(0.5) * (left.w[k] + right.w[k]);
+      out[0].slope[k] = slope * (right.w[k] - left.w[k]);
+    }
+    return left.near && right.near;
+  }
+  /// The same in the plane.
+  template <class Body, class V>
+  [[gnu::always_inline]] bool domain_modes(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>& grid,
+                                           DomainModes<V>& out) const {
+    const auto F = body.template F<V>(p);
+    const V l0(half_size[0]), l1(half_size[1]), x = V::load(body.x(0) + p), y = V::load(body.x(1) + p);
+    const V ax = F.xx * l0, ay = F.yx * l0, bx = F.xy * l1, by = F.yy * l1;
+    const V scale = V(grid.cell()) / (V(4) * (ax * by - ay * bx));
+    const V g1[2] = {(ay - by) * scale, (bx - ax) * scale}, g2[2] = {(ay + by) * scale, -(ax + bx) * scale};
+    const V quarter(0.25), w[4] = {quarter, quarter, quarter, quarter};
+    const V cx[4] = {x - ax - bx, x + ax - bx, x + ax + bx, x - ax + bx};
+    const V cy[4] = {y - ay - by, y + ay - by, y + ay + by, y - ay + by};
+    return modes_of_corners(grid, x, y, cx, cy, w, g1, g2, out);
+  }
+  /// Modes of a domain about (x, y) with the corners (cx, cy), their weights, and the gradients by cell of the first
+  /// two; those of the others are their negatives. Returns whether modes serve all lanes.
+  template <class V, class S>
+  [[gnu::always_inline]] static bool modes_of_corners(const Grid<S>& grid, const V& x, const V& y, const V* cx,
+                                                      const V* cy, const V* w, const V* g1, const V* g2,
+                                                      DomainModes<V>& out) {
+    for (int d = 0; d < 2; ++d) out.anchor[d] = truncated(coordinate(grid, d, d == 0 ? x : y) + V(0.5));
+    Hats<V> a[4], b[4];
+    bool near = true;
+    for (int c = 0; c < 4; ++c) {
+      a[c] = hats(grid, 0, cx[c], out.anchor[0]), b[c] = hats(grid, 1, cy[c], out.anchor[1]);
+      near = near && a[c].near && b[c].near;
+    }
+    out.weight[0] = V(1);
+    out.slope[0][0] = out.slope[1][0] = V(0);
+    shapes::unrolled<8>([&](auto m) __attribute__((always_inline)) {
+      constexpr int k = m + 1, i = k % 3, j = k / 3;
+      V part[4];
+      for (int c = 0; c < 4; ++c) {
+        if constexpr (i == 0) {
+          part[c] = b[c].w[j - 1];
+        } else if constexpr (j == 0) {
+          part[c] = a[c].w[i - 1];
+        } else {
+          part[c] = a[c].w[i - 1] * b[c].w[j - 1];
+        }
+      }
+      out.weight[k] = (w[0] * part[0] + w[1] * part[1]) + (w[2] * part[2] + w[3] * part[3]);
+      for (int d = 0; d < 2; ++d) out.slope[d][k] = g1[d] * (part[0] - part[2]) + g2[d] * (part[1] - part[3]);
+    });
+    return near;
+  }
   template <class Body, class S>
   void check(const Body& body, const Grid<S>&) const {
     shapes::require_half_size(body, half_size, std::numeric_limits<double>::infinity());
@@ -101,6 +164,22 @@ struct Cpdi {
   }
 
  private:
+  /// Weights that a corner at `x` gives to the nodes below and above an anchor, and whether it is within a cell of it.
+  template <class V>
+  struct Hats {
+    V w[2];
+    bool near;
+  };
+  template <class V, class S>
+  static V coordinate(const Grid<S>& grid, int d, const V& x) {
+    return max(V(0), min(V(grid.cells(d)), (x - V(grid.origin()[d])) * V(grid.inverse_cell())));
+  }
+  template <class V, class S>
+  [[gnu::always_inline]] static Hats<V> hats(const Grid<S>& grid, int d, const V& x,
+                                             const typename V::Integers& anchor) {
+    const V t = coordinate(grid, d, x) - as_lanes<V>(anchor);
+    return {{max(-t, V(0)), max(t, V(0))}, !any(abs(t) > V(1))};
+  }
   template <class Scalar>
   using Axis = AxisStencil<Scalar, 2>;
 

@@ -23,6 +23,15 @@ struct AxisModes {
   std::array<V, stored> slope;
 };
 
+/// The modes of 3x3 nodes of the plane, 3 j + i with i along the first axis, whose weights are no product. Slopes are
+/// by cell; those of the first mode are zero, and its weight is one.
+template <class V>
+struct DomainModes {
+  static constexpr int modes = 9;
+  typename V::Integers anchor[2];
+  V weight[modes], slope[2][modes];
+};
+
 namespace shapes {
 
 /// f(0), f(1), ... f(N - 1) with the index known at compile time.

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <mpm/passes/chunk.hpp>
+#include <mpm/shapes/cpdi_quad.hpp>
+
+namespace mpm::detail {
+
+/// The quadrilaterals of a register of particles, the last of which stands in for those beyond `size`: corners, area,
+/// weights of the corners, and the gradients of the first two; those of the opposite corners are their negatives. See
+/// CpdiQuad::weights.
+template <class V>
+struct QuadWeights {
+  V x[4], y[4], area, weight[4], gradient[2][2];
+
+  template <class Shape>
+  [[gnu::always_inline]] QuadWeights(const Shape& shape, std::size_t first, int size) {
+    Word<double> low[V::size], high[V::size];  // corners 0 and 1, 2 and 3
+    shapes::unrolled<V::size>([&](auto k) __attribute__((always_inline)) {
+      const auto& quad = shape.quad[first + std::size_t(std::min(int(k), size - 1))];
+      join(shape.corner[quad[0]].data(), shape.corner[quad[1]].data(), low[k]);
+      join(shape.corner[quad[2]].data(), shape.corner[quad[3]].data(), high[k]);
+    });
+    const auto a = to_lanes<V>(low), b = to_lanes<V>(high);
+    for (std::size_t c = 0; c < 2; ++c)
+      x[c] = a[2 * c], y[c] = a[2 * c + 1], x[c + 2] = b[2 * c], y[c + 2] = b[2 * c + 1];
+    area = V(0.5) * ((x[2] - x[0]) * (y[3] - y[1]) - (x[3] - x[1]) * (y[2] - y[0]));
+    const V p = (x[3] - x[0]) * (y[1] - y[2]) - (x[1] - x[2]) * (y[3] - y[0]);
+    const V q = (x[2] - x[3]) * (y[0] - y[1]) - (x[0] - x[1]) * (y[2] - y[3]);
+    const V inverse = V(1) / area, s = V(1.0 / 24) * inverse, g = V(0.5) * inverse, six = V(6) * area;
+    weight[0] = (six - p - q) * s, weight[1] = (six - p + q) * s;
+    weight[2] = (six + p + q) * s, weight[3] = (six + p - q) * s;
+    gradient[0][0] = (y[1] - y[3]) * g, gradient[0][1] = (x[3] - x[1]) * g;
+    gradient[1][0] = (y[2] - y[0]) * g, gradient[1][1] = (x[0] - x[2]) * g;
+  }
+};
+
+/// What they are on the grid, as one domain each. Returns whether modes serve all.
+template <class V, class Body, class S>
+[[gnu::always_inline]] inline bool quad_modes(const Body& body, std::size_t first, int size, const Grid<S>& grid,
+                                              DomainModes<V>& out) {
+  const QuadWeights<V> w(body.shape, first, size);
+  const V h(grid.cell());
+  const V g1[2] = {w.gradient[0][0] * h, w.gradient[0][1] * h}, g2[2] = {w.gradient[1][0] * h, w.gradient[1][1] * h};
+  const V x = w.weight[0] * w.x[0] + w.weight[1] * w.x[1] + (w.weight[2] * w.x[2] + w.weight[3] * w.x[3]);
+  const V y = w.weight[0] * w.y[0] + w.weight[1] * w.y[1] + (w.weight[2] * w.y[2] + w.weight[3] * w.y[3]);
+  return Cpdi::modes_of_corners(grid, x, y, w.x, w.y, w.weight, g1, g2, out);
+}
+
+}  // namespace mpm::detail
