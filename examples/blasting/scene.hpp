@@ -83,6 +83,7 @@ struct Scene {
     double safety = 0.8;
     StressUpdate update = StressUpdate::musl;
     double flip = 1;
+    double rest_speed = 1e-3;
   } step;
 
   double end_time = 300e-6;

@@ -168,6 +168,7 @@ BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, mpm::Body<CpdiQuad
   solver.integrator.flip = scene.step.flip;
   set_faces(solver, scene, [&](int, int) { return mpm::Quiet<Space>::from(density, moduli); });
   solver.hold_quiet_faces();
+  if (scene.step.rest_speed > 0) solver.template let_rest<0>(scene.step.rest_speed);
   return solver;
 }
 

@@ -116,13 +116,20 @@ class Grid : public NodalFields<S> {
     for_each_index(low, high, [&](const auto& i) { f(block_index(i)); });
   }
   /// Marks the block of one node.
-  void activate_node(int node) {
+  void activate_node(int node) { activate(block_of(node)); }
+  int block_of(int node) const {
     int block = 0;
     for (int d = dimension - 1; d >= 0; --d) {
       block += node / stride_[d] / block_edge * block_stride_[d];
       node %= stride_[d];
     }
-    activate(block);
+    return block;
+  }
+  /// The block that holds x, which must be inside the box.
+  int block_at(const Vector<S>& x) const {
+    int block = 0;
+    for (int d = 0; d < dimension; ++d) block += cell_index(coordinate(x[d], d), d) / block_edge * block_stride_[d];
+    return block;
   }
   /// Fixes the order in which active blocks are worked on.
   void sort_active() { std::sort(active_.begin(), active_.end()); }
@@ -138,6 +145,14 @@ class Grid : public NodalFields<S> {
     const int count = int(active_.size());
 #pragma omp parallel for schedule(static)
     for (int a = 0; a < count; ++a) f(active_[a]);
+  }
+  /// Calls f(block) for every active block, one by one.
+  template <class F>
+  void for_each_active_block_in_order(const F& f) const {
+    for (int b : active_) f(b);
+  }
+  bool active(int block) const {
+    return is_active_[block] != 0;
   }
   /// Calls f(node) for every node of a block.
   template <class F>

@@ -4,6 +4,7 @@
 #include <mpm/concepts/integrator.hpp>
 #include <mpm/passes/transfer.hpp>
 #include <mpm/per_body.hpp>
+#include <mpm/rest.hpp>
 #include <limits>
 #include <sstream>
 
@@ -67,13 +68,14 @@ class Solver {
     scatter<in_first_pass>();  // m_I = sum w m_p, v_I = sum w m_p v_p / m_I
     const Scalar dt = Scalar(std::min(longest, double(stable_step())));
     if constexpr (stress_update == StressUpdate::first) strain_first(dt);  // sigma before the forces it makes
-    boundary.load(grid);                       // f_I = sum (-V sigma grad w + w m b) + tractions, held reactions
-    boundary.constrain(grid.increment, grid);  // walls, rollers
-    integrator.advance(grid, dt);              // v_I+ = v_I + dt f_I / m_I
-    boundary.absorb(grid, dt);                 // dashpots
-    if constexpr (refines) refine_nodes();     // v_I+ sharpened
-    gather(dt);                                // v_p += sum w (v_I+ - v_I); L = sum v_I (x) grad w, sigma, V; x_p
-    convect_corners(dt);                       // CPDI2 domains ride the nodes
+    boundary.load(grid);                    // f_I = sum (-V sigma grad w + w m b) + tractions, held reactions
+    constrain(grid.increment);              // walls, rollers, nodes beside blocks at rest
+    integrator.advance(grid, dt);           // v_I+ = v_I + dt f_I / m_I
+    boundary.absorb(grid, dt);              // dashpots
+    if constexpr (refines) refine_nodes();  // v_I+ sharpened
+    gather(dt);                             // v_p += sum w (v_I+ - v_I); L = sum v_I (x) grad w, sigma, V; x_p
+    convect_corners(dt);                    // CPDI2 domains ride the nodes
+    rest_.wake(grid);                       // what the motion is about to reach
     time += dt;
     ++steps;
     return dt;
@@ -106,6 +108,35 @@ class Solver {
     internal_forces();
     boundary.constrain(grid.increment, grid);
     boundary.hold(grid);
+  }
+  /// Lets the particles of body I rest wherever they are in balance, at no cost, until a node near them is faster than
+  /// `speed`, m/s: the error is of that order times the impedance. Blocks with particles of other bodies, or with free
+  /// edges of CPDI2 domains, do not rest. A load that sets in later on a face of the grid wakes nobody.
+  template <int I = 0>
+  void let_rest(Scalar speed) {
+    static_assert(!IntegratorT::keeps_node_velocity, "mpm::Solver: a relaxation has to move what is to rest");
+    internal_forces();
+    boundary.load(grid);
+    boundary.constrain(grid.increment, grid);
+    const Scalar dt = stable_step();
+    std::vector<char> holds(std::size_t(grid.block_count()), 0), stirs = holds;
+    grid.for_each_active([&](int n) {
+      if (dt * grid.increment[n].norm() > speed * grid.mass[n]) stirs[std::size_t(grid.block_of(n))] = 1;
+    });
+    for_each_body([&]<class B>(B& b, auto&) {
+      const bool may_rest = static_cast<const void*>(&b) == static_cast<const void*>(&body<I>());
+      for (std::size_t p = 0; p < b.size(); ++p) {
+        const auto block = std::size_t(grid.block_at(b.position(p)));
+        holds[block] = 1;
+        if (!may_rest || !(b.velocity(p).norm() <= speed)) stirs[block] = 1;
+      }
+      if constexpr (requires { b.shape.surface; })
+        for (const auto& edge : b.shape.surface)
+          stirs[std::size_t(
+              grid.block_at({Scalar(b.shape.corner[edge.first][0]), Scalar(b.shape.corner[edge.first][1])}))] = 1;
+    });
+    rest_.speed = speed;
+    rest_.begin(grid, holds, stirs);
   }
   /// Norm over the nodes of sum abs(V sigma grad w) of the present state, the scale of the nodal forces, N.
   double force_scale() {
@@ -146,6 +177,9 @@ class Solver {
       transfer.locate(b, grid);
     });
     grid.sort_active();
+    rest_.hold(grid, [&](const auto& f) {
+      for_each_body([&](auto& b, auto& transfer) { transfer.for_each_resting_node(b, grid, f); });
+    });
   }
   void clear_nodes() {
     grid.for_each_active([&](int n) {
@@ -172,7 +206,11 @@ class Solver {
     grid.for_each_active([&](int n) {
       if (grid.mass[n] > 0) momentum[n] /= grid.mass[n];
     });
-    boundary.constrain(momentum, grid);
+    constrain(momentum);
+  }
+  void constrain(std::vector<Vector<S>>& field) {
+    boundary.constrain(field, grid);
+    rest_.constrain(field);
   }
   void refine_nodes() {
     integrator.refine(grid, steps, [&](std::vector<Vector<S>>& field) { subtract_smoothed(field); });
@@ -326,6 +364,7 @@ class Solver {
   }
 
   typename detail::TransfersOf<BodyList, IntegratorT>::Type transfers_;
+  Rest<S> rest_;
   std::vector<Vector<S>> smoothed_;
   Scalar stable_ = 0;
 };

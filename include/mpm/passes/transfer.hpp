@@ -66,10 +66,23 @@ class Transfer {
     if (order_.chunks.entries() != particles) order_.chunks.take_all(particles);
     return order_.chunks;
   }
-  /// Calls f(block) for the block of every particle, those of wide domains left out.
+  /// Calls f(node) for the nodes of the particles that rest, of those with a block in use beside theirs.
   template <class F>
-  void for_each_block(const F& f) const {
-    for (std::size_t p = 0; p < order_.tail_begin(); ++p) f(int(order_.key[p] / Grid<S>::nodes_per_block));
+  void for_each_resting_node(const Body& body, const Grid<S>& grid, const F& f) const {
+    std::size_t listed = 0;
+    for (std::size_t first = 0; first < body.size(); first += chunk_size) {
+      if (listed < order_.chunks.size() && order_.chunks.first(listed) == first) {
+        ++listed;
+        continue;
+      }
+      for (std::size_t p = first; p < std::min(first + chunk_size, body.size()); ++p) {
+        bool beside = false;
+        grid.for_each_block_around(int(order_.key[p] / Grid<S>::nodes_per_block), 1,
+                                   [&](int block) { beside = beside || grid.active(block); });
+        if (!beside) continue;
+        for (const auto& entry : make_stencil(body, p, grid)) f(entry.node);
+      }
+    }
   }
   const auto& nodes(const Grid<S>& grid) const {
     if constexpr (by_corners) {
