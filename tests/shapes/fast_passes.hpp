@@ -130,6 +130,19 @@ TYPED_TEST_P(FastPasses, GiveInPartsWhatTheyGiveAtOnce) {
     EXPECT_NEAR(mass.mass[n], this->grid.mass[n], TestFixture::round_off * (1 + this->grid.mass[n])) << "node " << n;
 }
 
+TYPED_TEST_P(FastPasses, SmoothAsThePlainOneDoes) {
+  this->disturb_nodes();
+  auto plain = this->grid.velocity, fast = plain;
+  for (auto* out : {&plain, &fast})
+    for (auto& v : *out) v.setZero();
+  typename TestFixture::Passes passes;
+  passes.locate(this->body, this->grid);
+  passes.scatter_interpolated(this->body, this->grid, this->grid.velocity, fast);
+  for (std::size_t p = 0; p < this->body.size(); ++p)
+    scatter_interpolated(this->body, p, this->grid, this->grid.velocity, plain);
+  this->expect_equal(plain, fast);
+}
+
 TYPED_TEST_P(FastPasses, MoveAndStrainAsThePlainOnesDo) {
   using Real = typename TestFixture::Scalar;
   const Real dt(.01);
@@ -178,7 +191,8 @@ TYPED_TEST_P(FastPasses, FindTheStableStepThatThePlainOneFinds) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(FastPasses, GiveTheNodesWhatThePlainOnesGive, GiveInPartsWhatTheyGiveAtOnce,
-                            MoveAndStrainAsThePlainOnesDo, FindTheStableStepThatThePlainOneFinds);
+                            SmoothAsThePlainOneDoes, MoveAndStrainAsThePlainOnesDo,
+                            FindTheStableStepThatThePlainOneFinds);
 
 }  // namespace
 }  // namespace mpm

@@ -106,12 +106,46 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, CornerNodes<S>
   return std::min(for_each_strip(order, give), give(order.tail_begin(), body.size()));
 }
 
-/// What the corners have got, mass, momentum and force, goes on to the grid: CornerNodes::scatter with the corners of
-/// one cell added up before its nodes are touched.
-template <What what, class S>
-void scatter_corners(const CornerNodes<S>& corners, Grid<S>& grid, std::vector<Vector<S>>& momentum) {
+/// In the first half of corners.pair the sums w_c m_p sum_d w_d v_d of the corners' velocities; see
+/// mpm::scatter_interpolated.
+template <class Body, class S = typename Body::SpaceType>
+void scatter_interpolated(const Body& body, const ParticleOrder& order, CornerNodes<S>& corners) {
+  using V = typename Body::Lane;
   using Word = detail::Word<double>;
-  constexpr bool force = gives_forces<what>, mass = gives_mass<what>, velocity = gives_momentum<what>;
+  corners.for_each([&](std::size_t c) { corners.pair[c] = {}; });
+  const auto give = [&](std::size_t begin, std::size_t end) {
+    detail::EdgeSums<S, false> sums(corners);
+    for (std::size_t first = begin; first < end; first += V::size) {
+      const int size = int(std::min<std::size_t>(V::size, end - first));
+      const detail::QuadWeights<V> w(body.shape, first, size);
+      Word weight[V::size];
+      detail::to_words(w.weight[0], w.weight[1], w.weight[2], w.weight[3], weight);
+      for (int k = 0; k < size; ++k) {
+        const auto& quad = body.shape.quad[first + std::size_t(k)];
+        Word seen{}, part[4];
+        for (int c = 0; c < 4; ++c) {
+          Word at;
+          detail::join(corners.velocity[quad[std::size_t(c)]].data(), corners.velocity[quad[std::size_t(c)]].data(),
+                       at);
+          seen += weight[k][c] * at;
+        }
+        seen *= body.mass()[first + std::size_t(k)];
+        for (int c = 0; c < 4; ++c) part[c] = weight[k][c] * seen;
+        sums.add(quad, part, Word{});
+      }
+    }
+    return end;
+  };
+  for_each_strip(order, give);
+  give(order.tail_begin(), body.size());
+}
+
+/// What the corners have got, mass and the two halves of corners.pair, where asked for, goes on to the grid:
+/// CornerNodes::scatter with the corners of one cell added up before its nodes are touched.
+template <bool mass, bool first, bool second, class S, class Masses>
+void scatter_corners(const CornerNodes<S>& corners, Masses& node_mass, std::vector<Vector<S>>& first_field,
+                     std::vector<Vector<S>>& second_field) {
+  using Word = detail::Word<double>;
   corners.for_each_strip([&](std::span<const std::uint32_t> list) {
     for (std::size_t k = 0; k < list.size();) {
       const int cell = corners.anchor(list[k]).node;
@@ -127,9 +161,9 @@ void scatter_corners(const CornerNodes<S>& corners, Grid<S>& grid, std::vector<V
       }
       shapes::unrolled<4>([&](auto n) __attribute__((always_inline)) {
         const auto node = std::size_t(cell + n % 2 + n / 2 * corners.stride());
-        if constexpr (mass) grid.mass[node] += masses[int(n)];
-        if constexpr (velocity) detail::add_pair<0>(sum[n], momentum[node].data());
-        if constexpr (force) detail::add_pair<2>(sum[n], grid.increment[node].data());
+        if constexpr (mass) node_mass[node] += masses[int(n)];
+        if constexpr (first) detail::add_pair<0>(sum[n], first_field[node].data());
+        if constexpr (second) detail::add_pair<2>(sum[n], second_field[node].data());
       });
     }
   });

@@ -37,17 +37,20 @@ void add_mass(const Body& body, std::size_t p, Nodes& nodes) {
 }
 
 /// out_I += sum_p w_Ip m_p sum_J w_Jp in_J: a nodal field as the particles see it, back on the nodes as a momentum.
+/// Of one particle, and of all.
+template <class Body, class Nodes, class Field>
+void scatter_interpolated(const Body& body, std::size_t p, const Nodes& nodes, const Field& in, Field& out) {
+  using Value = typename Field::value_type;
+  const auto stencil = make_stencil(body, p, nodes);
+  Value seen = Value::Zero();
+  for (const auto& [I, w, grad] : stencil) seen += w * in[I];
+  seen *= body.mass()[p];
+  for (const auto& [I, w, grad] : stencil) out[I] += w * seen;
+}
 template <class Body, class Nodes, class Field>
 void scatter_interpolated(const Body& body, const ParticleOrder& order, const Nodes& nodes, const Field& in,
                           Field& out) {
-  using Value = typename Field::value_type;
-  for_each_coloured(order, [&](std::size_t p) {
-    const auto stencil = make_stencil(body, p, nodes);
-    Value seen = Value::Zero();
-    for (const auto& [I, w, grad] : stencil) seen += w * in[I];
-    seen *= body.mass()[p];
-    for (const auto& [I, w, grad] : stencil) out[I] += w * seen;
-  });
+  for_each_coloured(order, [&](std::size_t p) { scatter_interpolated(body, p, nodes, in, out); });
 }
 
 /// V sigma grad w: minus the force of one particle on one node (Eq 9 of Xiao et al. 2024). In a space with a hoop

@@ -172,4 +172,46 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
   });
 }
 
+/// The twin of mpm::scatter_interpolated: out_I += sum_p w_Ip m_p sum_J w_Jp in_J.
+template <class Body, class S = typename Body::SpaceType>
+void scatter_interpolated(const Body& body, const ParticleOrder& order, const Grid<S>& grid,
+                          const std::vector<Vector<S>>& in, std::vector<Vector<S>>& out) {
+  using Word = detail::Word<typename S::Scalar>;
+  constexpr int D = S::dimension, K = Body::Shape::axis_nodes, count = shapes::power(K, D);
+  constexpr bool continued = detail::continues_linearly<typename Body::Shape>;
+  const auto plainly = [&](std::size_t p) { mpm::scatter_interpolated(body, p, grid, in, out); };
+  for_each_strip(order, [&](std::size_t begin, std::size_t end) {
+    typename detail::WeightsOf<Body>::Type w;
+    for (std::size_t first = begin; first < end; first += chunk_size) {
+      const int size = int(std::min<std::size_t>(chunk_size, end - first));
+      if (!w.compute(body, first, size, grid)) {
+        for (std::size_t p = first; p < first + std::size_t(size); ++p) plainly(p);
+        continue;
+      }
+      for (int p = 0, next; p < size; p = next) {
+        next = w.run_end(p, size);
+        const detail::StencilNodes<S, K> nodes(grid, w.anchor, p);
+        Word mode[count], sum[count]{};
+        nodes.for_each([&](auto I, std::size_t n) __attribute__((always_inline)) {
+          mode[I] = Word{};
+          for (int d = 0; d < D; ++d) mode[I][d] = in[n][d];
+        });
+        if constexpr (continued) nodes.continue_field(mode);
+        shapes::all_to_modes<D, K>(mode);
+        for (int q = p; q < next; ++q) {
+          Word seen, part[count];
+          detail::value_of<D, K>(mode, w, q, seen);
+          detail::modes_of<D, K>(Word(seen * body.mass()[first + std::size_t(q)]), w, q, part);
+          shapes::unrolled<count>([&](auto I) __attribute__((always_inline)) { sum[I] += part[I]; });
+        }
+        shapes::all_to_nodes<D, K>(sum);
+        if constexpr (continued) nodes.fold_sums(sum);
+        nodes.for_each([&](auto I, std::size_t n) __attribute__((always_inline)) { detail::add<0>(sum[I], out[n]); });
+      }
+    }
+    return end;
+  });
+  for (std::size_t p = order.tail_begin(); p < body.size(); ++p) plainly(p);
+}
+
 }  // namespace mpm::lanes

@@ -185,11 +185,17 @@ class Transfer {
   /// own use.
   void scatter_interpolated(const Body& body, const Grid<S>& grid, const std::vector<Vector<S>>& in,
                             std::vector<Vector<S>>& out) {
-    if constexpr (by_corners) {
+    if constexpr (corners_in_lanes) {
+      corners_.gather(in, corners_.velocity);
+      lanes::scatter_interpolated(body, order_, corners_);
+      lanes::scatter_corners<false, true, false>(corners_, grid.mass, out, out);
+    } else if constexpr (by_corners) {
       corners_.gather(in, corners_.velocity);
       corners_.for_each([&](std::size_t c) { corners_.increment[c].setZero(); });
       mpm::scatter_interpolated(body, order_, corners_, corners_.velocity, corners_.increment);
       corners_.scatter([&](std::size_t c, int I, Scalar w) { out[I] += w * corners_.increment[c]; });
+    } else if constexpr (in_modes) {
+      lanes::scatter_interpolated(body, order_, grid, in, out);
     } else {
       mpm::scatter_interpolated(body, order_, grid, in, out);
     }
@@ -268,7 +274,8 @@ class Transfer {
         body.shape.load_surface([&](std::size_t c, const std::array<double, 2>& f) {
           for (std::size_t d = 0; d < 2; ++d) corners_.pair[c].value[2 + d] += f[d];
         });
-      lanes::scatter_corners<what>(corners_, grid, momentum);
+      lanes::scatter_corners<gives_mass<what>, gives_momentum<what>, gives_forces<what>>(corners_, grid.mass, momentum,
+                                                                                         grid.increment);
       return bad;
     } else {
       corners_.for_each([&](std::size_t c) {
