@@ -175,11 +175,12 @@ void gather_corners(CornerNodes<S>& corners, const std::vector<Vector<S>>& first
                     const std::vector<Vector<S>>& second) {
   using Word = detail::Word<double>;
   corners.for_each([&](std::size_t c) {
-    const auto& [cell, strip, x, y] = corners.anchor(c);
+    const auto& anchor = corners.anchor(c);
+    const double x = anchor.x, y = anchor.y;
     const double w[4] = {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
     Word value{};
     shapes::unrolled<4>([&](auto n) __attribute__((always_inline)) {
-      const auto node = std::size_t(cell + n % 2 + n / 2 * corners.stride());
+      const auto node = std::size_t(anchor.node + n % 2 + n / 2 * corners.stride());
       Word at;
       detail::join(first[node].data(), second[node].data(), at);
       value += w[n] * at;

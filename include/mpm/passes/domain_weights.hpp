@@ -65,15 +65,16 @@ struct WeightsOf<Body, S> {
 template <int, int, class Q, class S>
 [[gnu::always_inline]] inline void value_of(const Q* mode, const DomainWeights<S>& w, int p, Q& value) {
   value = mode[0];
-  shapes::unrolled<w.modes - 1>([&](auto k)
-                                    __attribute__((always_inline)) { value += w.weight[k + 1][p] * mode[k + 1]; });
+  shapes::unrolled<DomainWeights<S>::modes - 1>([&](auto k) __attribute__((always_inline)) {
+    value += w.weight[k + 1][p] * mode[k + 1];
+  });
 }
 template <int D, int K, class Q, class S>
 [[gnu::always_inline]] inline void value_of(const Q* mode, const DomainWeights<S>& w, int p, Q& value, Q* slopes) {
   value_of<D, K>(mode, w, p, value);
   for (int d = 0; d < 2; ++d) {
     slopes[d] = w.slope[d][1][p] * mode[1];
-    shapes::unrolled<w.modes - 2>([&](auto k) __attribute__((always_inline)) {
+    shapes::unrolled<DomainWeights<S>::modes - 2>([&](auto k) __attribute__((always_inline)) {
       slopes[d] += w.slope[d][k + 2][p] * mode[k + 2];
     });
   }
@@ -81,14 +82,15 @@ template <int D, int K, class Q, class S>
 template <int, int, class Q, class S>
 [[gnu::always_inline]] inline void modes_of(const Q& value, const DomainWeights<S>& w, int p, Q* mode) {
   mode[0] = value;
-  shapes::unrolled<w.modes - 1>([&](auto k)
-                                    __attribute__((always_inline)) { mode[k + 1] = w.weight[k + 1][p] * value; });
+  shapes::unrolled<DomainWeights<S>::modes - 1>([&](auto k) __attribute__((always_inline)) {
+    mode[k + 1] = w.weight[k + 1][p] * value;
+  });
 }
 template <int, int, class Q, class S>
 [[gnu::always_inline]] inline void modes_of(const Q& value, const Q* slopes, const DomainWeights<S>& w, int p,
                                             Q* mode) {
   mode[0] = value;
-  shapes::unrolled<w.modes - 1>([&](auto k) __attribute__((always_inline)) {
+  shapes::unrolled<DomainWeights<S>::modes - 1>([&](auto k) __attribute__((always_inline)) {
     mode[k + 1] = w.weight[k + 1][p] * value + w.slope[0][k + 1][p] * slopes[0] + w.slope[1][k + 1][p] * slopes[1];
   });
 }
