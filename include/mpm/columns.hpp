@@ -34,6 +34,7 @@ class Columns {
 
   /// Reorders every column: entry i becomes the old entry order[i]. `scratch` keeps its memory between calls.
   void permute(std::span<const std::uint32_t> order, std::vector<T>& scratch) {
+    if (size_ == 0) return;  // no room may have been made
     scratch.resize(size_ + chunk_size);
     for (int c = 0; c < Count; ++c) {
       for (std::size_t i = 0; i < size_; ++i) scratch[i] = data_[c][order[i]];
