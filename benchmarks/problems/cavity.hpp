@@ -27,7 +27,7 @@ struct CavityOutcome : Outcome {  // error: largest of abs(peak)
   static constexpr std::array radii{2.0, 5.0, 10.0};
   std::array<double, 3> peak{};  ///< of the peak hoop stress at these radii, signed
   double history = 0;            ///< largest of the hoop stress over the history at 5 a
-  double wall = 0;               ///< of the peak hoop stress on the wall, signed; not read in the radial space
+  double wall = 0;               ///< of the peak hoop stress on the wall, signed; read where particle edges make it
 };
 
 /// Blair's pulse on the paper's hole in the paper's rock, weak enough that the geometry stays that of the exact
@@ -51,6 +51,12 @@ inline double exact_peak(double radius, double end) {
   return at->second;
 }
 
+/// The hoop stress on a ring, over the particles within a cell of it.
+template <class Body>
+double hoop_stress(const Body& body, double r, double cell, std::array<double, 2> centre = {}) {
+  return analysis::fit_ring(Samples(body, r - cell, r + cell, centre), r, cell).tt;
+}
+
 /// Peaks and history of the hoop stress, read after every step.
 class HoopReader {
  public:
@@ -62,14 +68,14 @@ class HoopReader {
   void read(SolverT& solver) {
     const auto& body = solver.body();
     for (std::size_t i = 0; i < exact_.size(); ++i) {
-      const double r = CavityOutcome::radii[i] * hole;
-      const double hoop = analysis::fit_ring(Samples(body, r - cell_, r + cell_, centre_), r, cell_).tt;
+      const double r = CavityOutcome::radii[i] * hole, hoop = hoop_stress(body, r, cell_, centre_);
       highest_[i] = std::max(highest_[i], hoop);
       if (i == 1 && solver.time >= history_from_)
         history_ = std::max(history_, std::abs(hoop - cavity_.at(r, solver.time).tt));
     }
     // In the radial space both particles of a cell have its one strain: a stair, which no fit can follow to the wall.
-    if constexpr (std::remove_cvref_t<decltype(body)>::dimension == 2) wall_ = std::max(wall_, wall(body));
+    using Shape = typename std::remove_cvref_t<decltype(body)>::Shape;
+    if constexpr (std::is_same_v<Shape, CpdiQuad>) wall_ = std::max(wall_, wall(body));
   }
   void report(CavityOutcome& outcome) const {
     for (std::size_t i = 0; i < exact_.size(); ++i) {

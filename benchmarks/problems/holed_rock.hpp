@@ -31,14 +31,14 @@ Grid<Space> holed_block_grid(double side, double cells, Model model = Model::qua
 }
 
 /// Copies of the stresses of the particles between two radii about `centre`, as the read-outs take them. Particles of
-/// the radial space stand at 0 degrees, where the hoop stress is the one along y.
+/// the radial space stand at 0 degrees, where the hoop stress is the one along y; of three axes z is along the hole.
 class Samples {
  public:
   template <class Body>
   Samples(const Body& body, double inner, double outer, std::array<double, 2> centre = {}) : centre_(centre) {
     constexpr bool radial = Body::dimension == 1;
     for (std::size_t p = 0; p < body.size(); ++p) {
-      const double x = double(body.x(0)[p]), y = radial ? 0 : double(body.x(Body::dimension - 1)[p]);
+      const double x = double(body.x(0)[p]), y = radial ? 0 : double(body.x(Body::dimension > 1)[p]);
       const double r = std::hypot(x - centre[0], y - centre[1]);
       if (r < inner || r > outer) continue;
       const auto s = body.stress(p);

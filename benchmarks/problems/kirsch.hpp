@@ -8,8 +8,9 @@
 namespace mpm::problems {
 
 enum class Start {
-  exact,     ///< with Kirsch's stress at every particle: only what the discretisation leaves unbalanced is relaxed
-  far_field  ///< with the far field: the relaxation finds what the hole does to it
+  exact,      ///< with Kirsch's stress at every particle: only what the discretisation leaves unbalanced is relaxed
+  far_field,  ///< with the far field: the relaxation finds what the hole does to it
+  nothing     ///< without stress: the relaxation finds all of it
 };
 
 struct KirschOptions {
@@ -49,8 +50,8 @@ double stress_error(const Body& body, const analysis::Kirsch& exact, double inne
 
 }  // namespace detail
 
-/// A quarter of the rock, relaxed. Kirsch's traction pulls its outer faces from either start: the far field's own would
-/// be that of a finite block. Throws Error as mpm::relax.
+/// A quarter of the rock, relaxed. Kirsch's traction pulls its outer faces from any start: the far field's own would be
+/// that of a finite block. Throws Error as mpm::relax.
 template <class Shape = CpdiQuad, class Integrator = DynamicRelaxation<>, class Scalar = double>
 KirschOutcome kirsch(const KirschOptions& options, const Integrator& integrator = {}) {
   using Space = PlaneStrain<Scalar>;
