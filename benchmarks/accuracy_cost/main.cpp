@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <mpm/io/units.hpp>
-#include <cstdio>
+#include <program/exit_code.hpp>
 #include <iostream>
 #include "programs.hpp"
 
@@ -8,28 +7,24 @@
 #include <omp.h>
 #endif
 
-// Speed against accuracy. Exit codes: 0 done, 1 the run failed or the budget was missed, 2 bad input, found before any
-// work.
+// Speed against accuracy. Exit code 1 also where the budget was missed.
 int main(int argc, char** argv) {
 #ifdef _OPENMP
   omp_set_num_threads(1);  // costs are core-seconds
 #endif
-  using accuracy_cost::Options;
-  try {
+  return program::exit_code([&] {
+    using accuracy_cost::Options;
     const Options options = accuracy_cost::parse(argc, argv);
     switch (options.command) {
       case Options::Command::help:
-        return accuracy_cost::print_help(std::cout), 0;
+        accuracy_cost::print_help(std::cout);
+        break;
       case Options::Command::chart:
-        return accuracy_cost::chart(options), 0;
+        accuracy_cost::chart(options);
+        break;
       case Options::Command::tune:
         return accuracy_cost::tune(options) ? 0 : 1;
     }
-  } catch (const mpm::io::InputError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+    return 0;
+  });
 }

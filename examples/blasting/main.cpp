@@ -3,16 +3,17 @@
 #include "laws.hpp"
 #include "run.hpp"
 #include "scene.hpp"
-#include <mpm/error.hpp>
-#include <cstdio>
+#include <program/exit_code.hpp>
 #include <iostream>
 
-// One hole blasted in pre-stressed rock (Xiao et al. 2024, Processes 12, 1048). Exit codes: 0 done, 1 the run failed, 2
-// bad input, found before any work.
+// One hole blasted in pre-stressed rock (Xiao et al. 2024, Processes 12, 1048).
 int main(int argc, char** argv) {
-  try {
+  return program::exit_code([&] {
     const auto options = blasting::parse(argc, argv);
-    if (options.help) return blasting::print_help(std::cout), 0;
+    if (options.help) {
+      blasting::print_help(std::cout);
+      return 0;
+    }
     const auto scene = blasting::read_scene(options);
     blasting::validate(scene);
     blasting::check_laws(scene);
@@ -23,11 +24,5 @@ int main(int argc, char** argv) {
     }
     blasting::run(scene, options);
     return 0;
-  } catch (const mpm::io::InputError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+  });
 }
