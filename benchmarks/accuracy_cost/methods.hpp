@@ -32,7 +32,8 @@ class Methods {
   Methods(std::vector<Options> variants, std::vector<Setting> settings, Run run)
       : variants_(std::move(variants)), settings_(std::move(settings)), run_(std::move(run)) {}
 
-  /// Every explicit integrator in double precision, and USL with FLIP in single.
+  /// Every explicit integrator in double precision, and USL with FLIP in single. A full chart has, at the usual
+  /// setting, the velocities beside the mean that particles can be strained with, too.
   template <class Shape>
   Methods& shape() {
     add<Shape, double>("USF", "FLIP", mpm::Usf{});
@@ -42,23 +43,30 @@ class Methods {
     add<Shape, double>("USL", ordered("full-mass FLIP", 4), mpm::FullMassFlip{.order = 4});
     add<Shape, double>("USL", "APIC", mpm::Apic{});
     add<Shape, float>("USL", "FLIP", mpm::Usl{});
+    add<Shape, double>("USL", "FMPM(4) v+", mpm::Fmpm{.order = 4, .strain_share = 0}, Part::full);
+    add<Shape, double>("USL", "FMPM(4) v(k)", mpm::Fmpm{.order = 4, .strain_share = 1}, Part::full);
+    add<Shape, double>("USL", "full-mass FLIP(4) v(k)", mpm::FullMassFlip{.order = 4, .strain_share = 1}, Part::full);
     return *this;
   }
+  /// What of the chart an integrator is part of: all of it, or the full one at the usual setting.
+  enum class Part { all, full };
   /// One integrator.
   template <class Shape, class Scalar, class Integrator>
-  Methods& add(const std::string& integrator, const std::string& transfer, const Integrator& policy) {
-    const char* scalar = std::is_same_v<Scalar, float> ? "float" : "double";
-    for (std::size_t i = 0; i < (std::is_same_v<Scalar, float> ? 1 : settings_.size()); ++i) {
+  Methods& add(const std::string& integrator, const std::string& transfer, const Integrator& policy,
+               Part part = Part::all) {
+    constexpr bool single = std::is_same_v<Scalar, float>;
+    for (std::size_t i = 0; i < (single || part == Part::full ? 1 : settings_.size()); ++i) {
       const Setting setting = settings_[i];
-      made_.push_back({{shape_name<Shape>(), integrator, transfer, scalar, setting.per_edge, setting.cfl},
-                       i == 0,
-                       [variants = variants_, run = run_, policy, setting](int cells, std::size_t variant) {
-                         Options options = variants.at(variant);
-                         options.cells = cells;
-                         options.per_edge = setting.per_edge;
-                         options.safety = setting.cfl;
-                         return run.template operator()<Shape, Integrator, Scalar>(options, policy);
-                       }});
+      made_.push_back(
+          {{shape_name<Shape>(), integrator, transfer, single ? "float" : "double", setting.per_edge, setting.cfl},
+           i == 0 && part == Part::all,
+           [variants = variants_, run = run_, policy, setting](int cells, std::size_t variant) {
+             Options options = variants.at(variant);
+             options.cells = cells;
+             options.per_edge = setting.per_edge;
+             options.safety = setting.cfl;
+             return run.template operator()<Shape, Integrator, Scalar>(options, policy);
+           }});
     }
     return *this;
   }

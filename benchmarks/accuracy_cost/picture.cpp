@@ -30,7 +30,7 @@ class Key {
 
 // Okabe and Ito's colours, which the colour-blind can tell apart, without their yellow.
 const std::vector<std::string> colours{"#999999", "#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#0072B2", "#D55E00"};
-const std::vector<int> points{1, 2, 4, 6, 8, 10, 12, 3, 14};
+const std::vector<int> points{1, 2, 4, 6, 8, 10, 12, 3, 14, 5, 9, 13};
 
 std::string mark(std::size_t i) {
   return "pointtype " + std::to_string(points[i % points.size()]);
@@ -55,8 +55,14 @@ std::map<Method, Table> lines_of(const Table& rows) {
   return lines;
 }
 
-/// What a point's form stands for: all of a method that is not its shape.
+/// What a line's colour stands for.
+std::string coloured(const Method& m) {
+  return m.scene.empty() ? m.shape : m.scene;
+}
+/// What a point's form stands for: all of a method that is not its shape; the scene again, so that lines which fall on
+/// each other show.
 std::string scheme(const Method& m) {
+  if (!m.scene.empty()) return m.scene;
   return m.integrator + ' ' + m.transfer + (m.scalar == "float" ? ", float" : "");
 }
 
@@ -64,21 +70,28 @@ std::string scheme(const Method& m) {
 
 bool draw(const Table& rows, const std::string& title, const std::filesystem::path& png) {
   const program::Gnuplot gnuplot(png);
-  Key shapes, schemes;
-  for (const Row& row : rows) shapes[row.method.shape], schemes[scheme(row.method)];
+  Key colours_of, schemes;
+  for (const Row& row : rows) colours_of[coloured(row.method)], schemes[scheme(row.method)];
   std::string data, plot;
   std::size_t index = 0;
   const auto add = [&](const std::string& block, const std::string& style) {
     data += block + "\n\n";
     plot += (plot.empty() ? "plot " : ", ") + ("'lines' index " + std::to_string(index++)) + " with " + style;
   };
+  const bool scenes = colours_of.words() == schemes.words();
+  // Of scenes one may be the whole front, which then must not hide it.
+  const std::string front_style = scenes ? "lines linewidth 12 linecolor rgb '#dddddd' title 'front'"
+                                         : "linespoints linewidth 3 pointtype 7 pointsize 0.7 linecolor rgb 'black' "
+                                           "title 'front'";
+  if (scenes) add(points_of(front(rows)), front_style);
   for (const auto& [method, line] : lines_of(rows))
-    add(points_of(line), "linespoints linewidth 1 pointsize 0.9 " + colour(shapes[method.shape]) + ' ' +
+    add(points_of(line), "linespoints linewidth 1 pointsize 0.9 " + colour(colours_of[coloured(method)]) + ' ' +
                              mark(schemes[scheme(method)]) + " notitle");
-  add(points_of(front(rows)), "linespoints linewidth 3 pointtype 7 pointsize 0.7 linecolor rgb 'black' title 'front'");
-  for (const std::string& shape : shapes.words())
-    plot += ", NaN with lines linewidth 4 " + colour(shapes[shape]) + " title " + gnuplot_string(shape);
-  for (const std::string& s : schemes.words())
+  if (!scenes) add(points_of(front(rows)), front_style);
+  for (const std::string& word : colours_of.words())
+    plot += ", NaN with " + (scenes ? "linespoints " + mark(schemes[word]) : "lines") + " linewidth " +
+            (scenes ? "1 " : "4 ") + colour(colours_of[word]) + " title " + gnuplot_string(word);
+  for (const std::string& s : scenes ? std::vector<std::string>{} : schemes.words())
     plot += ", NaN with points pointsize 1.2 linecolor rgb 'black' " + mark(schemes[s]) + " title " + gnuplot_string(s);
   mpm::io::replace_file(gnuplot.folder() / "lines", data);
   return gnuplot.draw(960, 600,

@@ -33,6 +33,8 @@ Problem radial_cavity();
 Problem kirsch();
 Problem sod();
 Problem axial_bar();
+Problem space();
+Problem gas();
 
 /// All of them, in the order of the chart.
 std::vector<Problem> all_problems();

@@ -5,7 +5,7 @@
 namespace accuracy_cost {
 
 std::vector<Problem> all_problems() {
-  return {axis_aligned(), vortex(), cavity(), radial_cavity(), kirsch(), sod(), axial_bar()};
+  return {axis_aligned(), vortex(), cavity(), radial_cavity(), kirsch(), sod(), axial_bar(), space(), gas()};
 }
 
 Problem find_problem(const std::string& name) {

@@ -99,7 +99,9 @@ void chart(const Options& options) {
     const Table rows = measured(problem, 0, options.quick ? Extent::quick : Extent::full);
     table.insert(table.end(), rows.begin(), rows.end());
     write(table, options.output / "chart.csv");
-    fronts += (fronts.empty() ? "**" : "\n**") + problem.title + "**\n\n" + markdown(front(rows));
+    // Scenes are few, and what the ones off the front cost is the point.
+    const bool scenes = !problem.configurations.front().method.scene.empty();
+    fronts += (fronts.empty() ? "**" : "\n**") + problem.title + "**\n\n" + markdown(scenes ? rows : front(rows));
     mpm::io::replace_file(options.output / "front.md", fronts);
     draw(rows, problem.title, options.output / (problem.name + ".png"));
   }

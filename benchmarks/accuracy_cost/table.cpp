@@ -17,13 +17,14 @@ using mpm::io::InputError;
 using mpm::io::number;
 
 const std::vector<mpm::io::Column> columns{
-    {"problem", "1"},       {"shape", "1"},    {"integrator", "1"}, {"transfer", "1"}, {"scalar", "1"},
-    {"cells", "1"},         {"per edge", "1"}, {"CFL", "1"},        {"error", "1"},    {"cost", "s"},
-    {"relative cost", "1"}, {"bytes", "B"},    {"particles", "1"},  {"steps", "1"}};
+    {"problem", "1"}, {"scene", "1"},         {"shape", "1"},    {"integrator", "1"}, {"transfer", "1"},
+    {"scalar", "1"},  {"cells", "1"},         {"per edge", "1"}, {"CFL", "1"},        {"error", "1"},
+    {"cost", "s"},    {"relative cost", "1"}, {"bytes", "B"},    {"particles", "1"},  {"steps", "1"}};
 
 std::vector<std::string> cells_of(const Row& row) {
   const Method& m = row.method;
   return {row.problem,
+          m.scene,
           m.shape,
           m.integrator,
           m.transfer,
@@ -41,14 +42,14 @@ std::vector<std::string> cells_of(const Row& row) {
 
 Row row_of(const std::vector<std::string>& cell) {
   return {.problem = cell[0],
-          .method = {cell[1], cell[2], cell[3], cell[4], std::stoi(cell[6]), std::stod(cell[7])},
-          .cells = std::stoi(cell[5]),
-          .error = std::stod(cell[8]),
-          .cost = std::stod(cell[9]),
-          .relative_cost = std::stod(cell[10]),
-          .particles = std::stoll(cell[12]),
-          .steps = std::stoll(cell[13]),
-          .bytes = std::stoul(cell[11])};
+          .method = {cell[2], cell[3], cell[4], cell[5], std::stoi(cell[7]), std::stod(cell[8]), cell[1]},
+          .cells = std::stoi(cell[6]),
+          .error = std::stod(cell[9]),
+          .cost = std::stod(cell[10]),
+          .relative_cost = std::stod(cell[11]),
+          .particles = std::stoll(cell[13]),
+          .steps = std::stoll(cell[14]),
+          .bytes = std::stoul(cell[12])};
 }
 
 std::vector<std::string> split(const std::string& line) {
@@ -67,8 +68,8 @@ std::string rounded(double value, const char* format) {
 }  // namespace
 
 std::string name(const Method& m) {
-  return m.shape + ' ' + m.integrator + ' ' + m.transfer + (m.scalar == "float" ? ", float" : "") + ", " +
-         std::to_string(m.per_edge) + " an edge, CFL " + number(m.cfl);
+  return (m.scene.empty() ? "" : m.scene + ": ") + m.shape + ' ' + m.integrator + ' ' + m.transfer +
+         (m.scalar == "float" ? ", float" : "") + ", " + std::to_string(m.per_edge) + " an edge, CFL " + number(m.cfl);
 }
 
 Table rows_of(const Table& table, const std::string& problem) {

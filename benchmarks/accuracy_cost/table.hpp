@@ -16,12 +16,13 @@ struct Method {
   std::string scalar;      ///< "double" or "float"
   int per_edge = 0;        ///< particles an edge of a cell
   double cfl = 0;          ///< share of the stable step, `Solver::safety`
+  std::string scene{};     ///< what is modelled, where a problem leaves that open
 
   friend bool operator==(const Method&, const Method&) = default;
   friend auto operator<=>(const Method&, const Method&) = default;
 };
 
-/// "Cpdi USL FLIP, float, 2 an edge, CFL 0.8"; double precision goes without saying.
+/// "full plane: Cpdi USL FLIP, float, 2 an edge, CFL 0.8"; double precision goes without saying.
 std::string name(const Method& method);
 
 /// One run of a problem. Error and cost are NaN where the run failed.

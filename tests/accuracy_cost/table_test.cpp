@@ -35,7 +35,8 @@ TEST(Table, CostsAreRelatedToLinearShapesOfTheSameSize) {
 TEST(Table, ReadsBackToTheBit) {
   const TemporaryFolder folder;
   Row odd = row("CpdiQuad", 48, 1 / 3., 1e-5);
-  odd.method.transfer = "full-mass FLIP(4)", odd.method.cfl = .25, odd.relative_cost = nan;
+  odd.method.transfer = "full-mass FLIP(4)", odd.method.cfl = .25, odd.method.scene = "full plane",
+  odd.relative_cost = nan;
   const Table written{odd, row("Linear", 8, nan, nan)};
   write(written, folder / "chart.csv");
   const Table back = read(folder / "chart.csv");
@@ -77,6 +78,9 @@ TEST(Picture, IsDrawn) {
   const Table table{row("Ugimp", 8, .1, 1), row("Ugimp", 16, .03, 8), row("Linear", 8, nan, nan)};
   ASSERT_TRUE(draw(table, "it's", folder / "test.png")) << "gnuplot is not there";
   EXPECT_EQ(content(folder / "test.png").substr(1, 3), "PNG");
+  Table scenes{row("Ugimp", 8, .1, 1), row("Ugimp", 8, .1, 4)};
+  scenes[0].method.scene = "quarter plane", scenes[1].method.scene = "full plane";
+  EXPECT_TRUE(draw(scenes, "scenes", folder / "scenes.png"));
 }
 
 }  // namespace
