@@ -9,7 +9,8 @@ namespace accuracy_cost {
 struct Trial {
   std::string variant;
   double budget = 0;
-  Choice choice{};
+  Choice choice{};  ///< the last
+  std::size_t runs = 1;
   double error = 0;  ///< true
   double cost = 0;   ///< of the choice
   double best = 0;   ///< of what the variant's own table would have named, without a margin
@@ -21,7 +22,7 @@ struct Trial {
 using Measure = std::function<Row(const Configuration&, int cells, std::size_t variant)>;
 
 /// Tunes for every budget of 10, 5, 2, 1, .5 and .2 % that the variant's own table `own` and the chart's table both
-/// reach, runs the choice, and compares with the best. Below, what is exact only for small displacements no longer is.
+/// reach, and compares with the best. Below, what is exact only for small displacements no longer is.
 std::vector<Trial> try_out(const Problem& problem, const Table& chart, const Table& own, std::size_t variant,
                            const Measure& measure);
 

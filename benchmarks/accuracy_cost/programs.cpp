@@ -55,23 +55,23 @@ Table known(const Options& options, const Problem& problem) {
 bool tune_one(const Options& options) {
   const Problem problem = find_problem(options.problems.front());
   const Table rows = known(options, problem);
-  const double share = margin(rows);
-  const auto choice = choose(rows, options.error, share, problem.step);
-  if (!choice) {
+  const auto run = [&](const Choice& choice) {
+    std::printf("%s within %g %%: %s, %d cells\nexpected: error %.3g %%, cost %.2g core-seconds\n",
+                problem.name.c_str(), 100 * options.error, name(choice.method).c_str(), choice.cells,
+                100 * choice.error, choice.cost);
+    const auto configuration = std::ranges::find(problem.configurations, choice.method, &Configuration::method);
+    const Row row = measure(problem, *configuration, choice.cells, 0);
+    std::printf("measured: error %.3g %%, cost %.2g core-seconds: the budget is %s\n", 100 * row.error, row.cost,
+                row.error <= options.error ? "kept" : "missed");
+    return row;
+  };
+  const auto made = attempts(rows, options.error, problem.step, run);
+  if (made.empty()) {
     const Table best = front(rows);
     throw mpm::io::InputError("--error: no method of the chart keeps that on " + problem.name +
                               (best.empty() ? "" : "; the least is " + mpm::io::number(best.back().error)));
   }
-  std::printf(
-      "%s within %g %%: %s, %d cells\nexpected: error %.3g %% (times a margin of %.2f), cost %.2g core-seconds\n",
-      problem.name.c_str(), 100 * options.error, name(choice->method).c_str(), choice->cells, 100 * choice->error,
-      share, choice->cost);
-  const auto configuration = std::ranges::find(problem.configurations, choice->method, &Configuration::method);
-  const Row run = measure(problem, *configuration, choice->cells, 0);
-  const bool kept = run.error <= options.error;
-  std::printf("measured: error %.3g %%, cost %.2g core-seconds: the budget is %s\n", 100 * run.error, run.cost,
-              kept ? "kept" : "missed");
-  return kept;
+  return made.back().run.error <= options.error;
 }
 
 void check(const Options& options) {

@@ -76,4 +76,17 @@ std::optional<Choice> choose(const Table& rows, double budget, double margin, in
   return best;
 }
 
+std::vector<Attempt> attempts(const Table& rows, double budget, int step,
+                              const std::function<Row(const Choice&)>& run) {
+  std::vector<Attempt> made;
+  for (double share = 1; const auto choice = choose(rows, budget, share, step);) {
+    made.push_back({*choice, run(*choice)});
+    const double error = made.back().run.error;
+    if (error <= budget) break;
+    // What was named is not named again: its expected error times the share is the true one, or twice the budget.
+    share = std::max(margin(rows), (std::isfinite(error) ? error : 2 * budget) / choice->error);
+  }
+  return made;
+}
+
 }  // namespace accuracy_cost

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <vector>
 #include "problem.hpp"
 
 namespace accuracy_cost {
@@ -22,5 +23,16 @@ double margin(const Table& rows);
 /// multiples of `step`, within those of the table. Between two sizes error and cost follow power laws. A size counts
 /// with the largest error of its method at that size or finer: a dip that the finer sizes do not confirm is luck.
 std::optional<Choice> choose(const Table& rows, double budget, double margin, int step);
+
+/// A choice, and what running it gave.
+struct Attempt {
+  Choice choice{};
+  Row run{};
+};
+
+/// Names and runs until the budget is kept: without a margin first; after a miss with the table's, or with the factor
+/// by which the run stood above what was expected, if that is more. Empty if the table knows nothing that keeps the
+/// budget; the last run misses it if the table knows nothing better.
+std::vector<Attempt> attempts(const Table& rows, double budget, int step, const std::function<Row(const Choice&)>& run);
 
 }  // namespace accuracy_cost

@@ -60,6 +60,28 @@ TEST(Tune, TheMarginIsHowFarErrorsStandAbovePowerLaws) {
   EXPECT_EQ(margin(table), 1);
 }
 
+TEST(Tune, NamesAgainWhatTheRunRefutes) {
+  Table table;
+  add_line(table, "Ugimp", 10, 2, 1);
+  std::vector<int> cells;
+  const auto true_error_over_expected = [&](double ratio) {
+    cells.clear();
+    return attempts(table, .02, 1, [&](const Choice& choice) {
+      cells.push_back(choice.cells);
+      return row("Ugimp", choice.cells, ratio * choice.error, choice.cost);
+    });
+  };
+  EXPECT_EQ(true_error_over_expected(.9).size(), 1u);
+  EXPECT_EQ(cells, (std::vector{23}));  // 10 / 23^2 = .0189
+  EXPECT_LE(true_error_over_expected(1.3).back().run.error, .02);
+  EXPECT_EQ(cells, (std::vector{23, 26}));
+  EXPECT_GT(true_error_over_expected(4).back().run.error, .02);  // 40 cells are all there is
+  EXPECT_EQ(cells, (std::vector{23}));
+  EXPECT_EQ(true_error_over_expected(std::numeric_limits<double>::quiet_NaN()).size(), 2u);  // 23, 33, 47
+  EXPECT_EQ(cells, (std::vector{23, 33}));
+  EXPECT_TRUE(attempts(table, 1e-4, 1, [](const Choice&) { return Row{}; }).empty());
+}
+
 /// The swinging bar, by some methods, for a time that the chart holds and two that it does not.
 Problem swinging_bar() {
   using Options = mpm::problems::AxialBarOptions;
