@@ -7,6 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 if [[ ${1-} == --help ]]; then
   cat <<'END'
 ./run.sh [blast] ...  blast a hole in pre-stressed rock (./run.sh blast --help)
+./run.sh paper ...    make the paper's figures and statements again, a report to open in a browser (./run.sh paper --help)
 ./run.sh chart ...    chart speed against accuracy of every method (./run.sh chart --help)
 ./run.sh tune ...     name the cheapest method that keeps an error, and run it (./run.sh tune --help)
 ./run.sh bench ...    time whole steps by method, table at the end, ./bench.json (--quick, and Google Benchmark's options)
@@ -16,6 +17,10 @@ fi
 target=blasting folder=examples/blasting packages=() options=()
 case ${1-} in
   blast) shift ;;
+  paper)
+    shift
+    target=paper folder=examples/paper
+    ;;
   chart | tune) target=accuracy_cost folder=benchmarks/accuracy_cost ;;
   bench)
     shift

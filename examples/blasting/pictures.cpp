@@ -88,21 +88,6 @@ std::pair<double, double> range(ColourMap colours, std::vector<float> seen) {
   return high > low ? std::pair{low, high} : std::pair{low - 1, high + 1};
 }
 
-std::string palette(ColourMap colours) {
-  switch (colours) {
-    case ColourMap::sequential:
-      return "set palette defined (0 '#0b0724', 1 '#4a1079', 2 '#a1307e', 3 '#ee5b5e', 4 '#fea973', 5 '#fcfbc0')\n";
-    case ColourMap::diverging:
-      return "set palette defined (0 '#0a2f6b', 1 '#2f7ebc', 2 '#a6cfe4', 3 '#fbfaf7', 4 '#f6b394', 5 '#cf4a41', "
-             "6 '#6d0220')\n";
-    case ColourMap::damage:
-      return "set palette defined (-1 '#7d0a12', -0.6 '#cf3a1e', -0.2 '#f3b27a', 0 '#f6f0e2', 0.2 '#c3c0b8', "
-             "0.6 '#59616d', 1 '#0c1018')\n"
-             "set cbtics ('crushed' -1, '0.5' -0.5, 'intact' 0, '0.5' 0.5, 'cracked' 1)\n";
-  }
-  throw std::invalid_argument("unknown colour map");
-}
-
 // The canvas: the window with room for axes, title and colour bar, pixels.
 constexpr int left = 120, right = 240, bottom = 95, top = 75;
 constexpr int width = left + picture_pixels + right, height = bottom + picture_pixels + top;
@@ -157,6 +142,21 @@ Table read_header(const std::filesystem::path& csv) {
 }
 
 }  // namespace
+
+std::string palette(ColourMap colours) {
+  switch (colours) {
+    case ColourMap::sequential:
+      return "set palette defined (0 '#0b0724', 1 '#4a1079', 2 '#a1307e', 3 '#ee5b5e', 4 '#fea973', 5 '#fcfbc0')\n";
+    case ColourMap::diverging:
+      return "set palette defined (0 '#0a2f6b', 1 '#2f7ebc', 2 '#a6cfe4', 3 '#fbfaf7', 4 '#f6b394', 5 '#cf4a41', "
+             "6 '#6d0220')\n";
+    case ColourMap::damage:
+      return "set palette defined (-1 '#7d0a12', -0.6 '#cf3a1e', -0.2 '#f3b27a', 0 '#f6f0e2', 0.2 '#c3c0b8', "
+             "0.6 '#59616d', 1 '#0c1018')\n"
+             "set cbtics ('crushed' -1, '0.5' -0.5, 'intact' 0, '0.5' 0.5, 'cracked' 1)\n";
+  }
+  throw std::invalid_argument("unknown colour map");
+}
 
 std::vector<float> rasterise(const Picture& picture, std::span<const Quad> domains, std::span<const double> values) {
   if (domains.size() != values.size())

@@ -29,6 +29,9 @@ enum class ColourMap {
   damage       ///< signed_damage(): crushed in reds, intact light, cracked in blacks; from -1 to 1
 };
 
+/// The gnuplot lines that set the colours of a map.
+std::string palette(ColourMap colours);
+
 /// A quantity as it is drawn.
 struct Field {
   std::string name{};

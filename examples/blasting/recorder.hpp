@@ -5,9 +5,10 @@
 #include "scene.hpp"
 #include "stages.hpp"
 #include "summary.hpp"
-#include <mpm/analysis/crack_measures.hpp>
+#include <mpm/analysis/crack_rose.hpp>
 #include <mpm/analysis/energy.hpp>
 #include <mpm/analysis/polar.hpp>
+#include <mpm/analysis/rock_energy.hpp>
 #include <mpm/io/csv.hpp>
 #include <mpm/io/snapshot.hpp>
 #include <filesystem>
@@ -98,6 +99,42 @@ std::map<std::string, double> energies(Solver& solver, const Scene& scene, doubl
   return e;
 }
 
+/// Where the charge's energy is, J per metre of the full plane, since the rock was at rest.
+struct Ledger {
+  double charge = 0;    ///< still in the products
+  double air = 0;       ///< internal energy
+  double kinetic = 0;   ///< of all bodies
+  double elastic = 0;   ///< in the rock
+  double fracture = 0;  ///< spent in opening cracks
+  double crushing = 0;  ///< spent in crushing, and by bulk viscosity in the rock: the rest of the work done on it
+  double boundary = 0;  ///< gone through the outer faces
+
+  double sum() const { return charge + air + kinetic + elastic + fracture + crushing + boundary; }
+};
+
+/// The ledger of a state; `elastic` and `air` are not yet since the start.
+template <class Solver>
+Ledger ledger(Solver& solver, const Scene& scene) {
+  Ledger sum;
+  solver.for_bodies([&](const auto& body) {
+    sum.kinetic += mpm::kinetic_energy(body);
+    for (std::size_t p = 0; p < body.size(); ++p) {
+      const auto state = body.state(p);
+      const double V0 = body.mass()[p] / body.law.density;
+      if constexpr (requires { state.energy; }) {
+        (body.name == "charge" ? sum.charge : sum.air) += V0 * state.energy;
+      } else {
+        sum.elastic += V0 * mpm::analysis::elastic_energy(body.law, state, body.relative_volume(p));
+        sum.fracture += body.volume()[p] * mpm::analysis::fracture_energy_spent(body.law, state, body.particle_size(p));
+      }
+    }
+  });
+  sum.boundary = -solver.boundary.work();
+  for (double* value : {&sum.charge, &sum.air, &sum.kinetic, &sum.elastic, &sum.fracture, &sum.boundary})
+    *value *= multiplicity(scene);
+  return sum;
+}
+
 /// Mean radial stress, Pa, of the rock within a cell of the wall. The ring's mean: a single particle that shares a cell
 /// with gas shows several times as much.
 template <class Body>
@@ -130,19 +167,35 @@ mpm::analysis::PolarStress probe(const Body& rock, double r, const Scene& scene)
   return {sum.rr / volume, sum.tt / volume, sum.rt / volume};
 }
 
-/// Extent of the damage; particles beyond half damage count.
-template <class Body>
-Summary::Crack measure_cracks(const Body& rock, const Scene& scene) {
+/// Calls f(samples, count) with the rock's damage as the crack measures take it; particles beyond half damage count.
+template <class Body, class F>
+auto with_damage(const Body& rock, const Scene& scene, const F& f) {
   std::vector<double> damage(rock.size()), crushing(rock.size());
   for (std::size_t p = 0; p < rock.size(); ++p) {
     const auto d = damage_of(rock.state(p));
     damage[p] = d.larger(), crushing[p] = d.crushed;
   }
   const std::span<const double> x{rock.x(0), rock.size()}, y{rock.x(1), rock.size()}, area{rock.volume(), rock.size()};
-  const auto c =
-      mpm::analysis::crack_measures({x, y, area, damage, crushing, scene.hole.x, scene.hole.y},
-                                    {.ring_width = scene.rock.particle, .multiplicity = multiplicity(scene)});
-  return {c.reach, c.along_x, c.along_y, c.longest, c.area, c.crushed_radius};
+  return f(mpm::analysis::DamageSamples{x, y, area, damage, crushing, scene.hole.x, scene.hole.y},
+           mpm::analysis::CrackCount{.ring_width = scene.rock.particle, .multiplicity = multiplicity(scene)});
+}
+
+/// Extent of the damage.
+template <class Body>
+Summary::Crack measure_cracks(const Body& rock, const Scene& scene) {
+  const auto c = with_damage(rock, scene, mpm::analysis::crack_measures);
+  return {c.reach, c.along_x, c.along_y, c.longest, c.area, c.crushed_area, c.crushed_radius};
+}
+
+/// Writes the reach of the damage by direction, every 10 degrees.
+template <class Body>
+void write_rose(const Body& rock, const Scene& scene, const std::filesystem::path& csv) {
+  constexpr int sectors = 36;
+  mpm::io::CsvWriter table(csv, {{"direction", "degrees"}, {"reach", "m"}});
+  const auto rose = with_damage(rock, scene, [](const auto& samples, const auto& count) {
+    return mpm::analysis::crack_rose(samples, count, sectors);
+  });
+  for (int k = 0; k < sectors; ++k) table.row(std::vector<double>{360.0 * k / sectors, rose[std::size_t(k)]});
 }
 
 /// Draws damage, hoop stress and pressure of the rock round the hole.
@@ -185,13 +238,35 @@ class Recorder {
                                             {"work_air", "J/m"},
                                             {"boundary", "J/m"},
                                             {"balance", "J/m"}}),
-        probes_(folder / "probes.csv", probe_columns(scene)) {}
+        probes_(folder / "probes.csv", probe_columns(scene)),
+        cracks_(folder / "cracks.csv", {{"time", "s"},
+                                        {"reach", "m"},
+                                        {"along_x", "m"},
+                                        {"along_y", "m"},
+                                        {"area", "m2"},
+                                        {"crushed_area", "m2"}}),
+        ledger_(folder / "ledger.csv", {{"time", "s"},
+                                        {"charge", "J/m"},
+                                        {"air", "J/m"},
+                                        {"kinetic", "J/m"},
+                                        {"elastic", "J/m"},
+                                        {"fracture", "J/m"},
+                                        {"crushing", "J/m"},
+                                        {"boundary", "J/m"},
+                                        {"loss", "J/m"}}) {}
 
-  /// A snapshot at each of the scene's output times, a row of the tables about every microsecond.
+  /// A snapshot at each of the scene's output times, a row of the tables about every microsecond, one of cracks and
+  /// ledger at every thirtieth of the time.
   void record(Solver& solver) {
     if (solver.time >= next_row_ || solver.time >= scene_.end_time) {
       rows(solver);
       next_row_ = solver.time + 1e-6;
+    }
+    if (solver.time >= next_cracks_ || solver.time >= scene_.end_time) {
+      const auto c = measure_cracks(solver.template body<0>(), scene_);
+      cracks_.row(std::vector<double>{solver.time, c.reach, c.along_x, c.along_y, c.area, c.crushed_area});
+      settle_accounts(solver);
+      next_cracks_ += scene_.end_time / 30;
     }
     if (solver.time < next_snapshot_time()) return;
     snapshots_.write(solver.time, snapshot_of(solver, scene_));
@@ -204,6 +279,8 @@ class Recorder {
                ? scene_.end_time
                : scene_.end_time * double(taken_) / double(std::max(1, scene_.output.snapshots));
   }
+  /// Largest part of the charge's energy that the ledger has missed, J per metre of the full plane.
+  double largest_loss() const { return largest_loss_; }
   /// Largest compression that the wall has seen, Pa, tension positive.
   double wall_radial_stress() const { return wall_; }
 
@@ -235,11 +312,23 @@ class Recorder {
     probes_.row(row);
   }
 
+  void settle_accounts(Solver& solver) {
+    Ledger now = ledger(solver, scene_);
+    if (solver.steps == 0) start_ = now;
+    now.air -= start_.air, now.elastic -= start_.elastic;
+    now.crushing = multiplicity(scene_) * solver.template body<0>().stress_work - now.elastic - now.fracture;
+    const double loss = charge_energy_ - now.sum();
+    largest_loss_ = std::max(largest_loss_, std::abs(loss));
+    ledger_.row(std::vector<double>{solver.time, now.charge, now.air, now.kinetic, now.elastic, now.fracture,
+                                    now.crushing, now.boundary, loss});
+  }
+
   const Scene& scene_;
   double charge_energy_;
   mpm::io::SnapshotSeries snapshots_;
-  mpm::io::CsvWriter energies_, probes_;
-  double next_row_ = 0, wall_ = 0;
+  mpm::io::CsvWriter energies_, probes_, cracks_, ledger_;
+  double next_row_ = 0, next_cracks_ = 0, wall_ = 0, largest_loss_ = 0;
+  Ledger start_{};
   int taken_ = 0;
 };
 

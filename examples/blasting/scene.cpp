@@ -56,6 +56,8 @@ Parameters rock(Scene& s) {
   auto& r = s.rock;
   return {
       {"block.side", &s.block.side, "m", "full side of the square block of rock", positive},
+      {"block.faces", Choice(s.block.faces, {"quiet", "free"}), "",
+       "outer sides during the blast: waves pass as into endless rock, or the slab ends there under its in-situ load"},
       {"grid.cell", &s.grid.cell, "mm", "side of a cell of the background grid", positive},
       {"rock.particle", &r.particle, "mm", "side of a rock particle", positive},
       {"rock.law", Choice(r.law, {"jh2", "elastic"}), "", "Johnson-Holmquist 2, or linear elastic without damage"},

@@ -17,6 +17,7 @@ enum class RockLaw { jh2, elastic };
 enum class RockPreset { paper, granite_1200, granite_3000 };
 enum class TensileLaw { rankine, none };
 enum class StressStart { kirsch, far_field };
+enum class Faces { quiet, free };
 enum class StressUpdate { usl, musl, usf };
 
 /// Every parameter of a run, in SI. The member initialisers are the default scene. An optional member, when set,
@@ -43,6 +44,7 @@ struct Scene {
 
   struct Block {
     double side = 3;
+    Faces faces = Faces::quiet;
   } block;
 
   struct Grid {

@@ -8,6 +8,7 @@
 #include <mpm/relax.hpp>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 
 namespace blasting {
 namespace detail {
@@ -16,6 +17,16 @@ using Clock = std::chrono::steady_clock;
 inline double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
+
+/// What a run has taken since this was made.
+struct Cost {
+  Clock::time_point begin = Clock::now();
+  std::clock_t processor = std::clock();
+  void write(Summary& summary) const {
+    summary.wall_seconds = seconds_since(begin);
+    summary.cpu_seconds = double(std::clock() - processor) / CLOCKS_PER_SEC;
+  }
+};
 
 /// Energy of the charge, J per metre of the full plane.
 template <class Body>
@@ -65,6 +76,7 @@ void finish(Solver& solver, const Scene& scene, const std::filesystem::path& fol
   summary.simulated_seconds = solver.time;
   summary.steps.blast = solver.steps;
   summary.crack = measure_cracks(rock, scene);
+  write_rose(rock, scene, folder / "rose.csv");
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(mpm::state_hash(solver)));
   summary.state_hash = hash;
@@ -98,6 +110,7 @@ void blast(const Scene& scene, const std::filesystem::path& folder, mpm::Body<Cp
   progress.finish();
   summary.wall_radial_stress = recorder.wall_radial_stress();
   summary.energy = energies(solver, scene, charge_energy);
+  summary.energy["largest_loss"] = recorder.largest_loss();
   finish(solver, scene, folder, summary);
 }
 
@@ -145,7 +158,7 @@ void dry_run(const Scene& scene) {
 template <class Rock>
 void run_with(const Scene& scene, const Options& options) {
   if (options.dry_run) return detail::dry_run<Rock>(scene);
-  const auto begin = detail::Clock::now();
+  const detail::Cost cost;
   const auto& folder = options.output;
   Summary summary;
   summary.threads = threads_in_use();
@@ -158,12 +171,12 @@ void run_with(const Scene& scene, const Options& options) {
                    capped, rock.size(), largest_tensile_strength(scene) * 1e-6);
     detail::blast_as_asked<Rock>(scene, folder, std::move(rock), summary);
   } catch (const std::exception&) {
-    summary.wall_seconds = detail::seconds_since(begin);
+    cost.write(summary);
     write_summary(folder / "summary.json", summary);  // says that the run is not complete
     throw;
   }
   summary.completed = true;
-  summary.wall_seconds = detail::seconds_since(begin);
+  cost.write(summary);
   write_summary(folder / "summary.json", summary);
   std::printf(
       "reach %.0f mm (along x %.0f, along y %.0f), damaged area %.0f cm2, crushed radius %.0f mm, %.0f s; results in "

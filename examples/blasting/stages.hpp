@@ -153,7 +153,7 @@ inline mpm::Body<Ugimp, mpm::PolynomialEos, Space> make_air(const Scene& scene) 
 }
 
 /// Stage 2, ready to burn: the relaxed rock moves in, charge and air fill the hole, and the outer faces turn quiet,
-/// holding what keeps the rock at rest.
+/// holding what keeps the rock at rest. Those of a slab hold only that: a quiet face without impedance.
 template <class Rock, class Integrator>
 BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, mpm::Body<CpdiQuad, Rock, Space> rock) {
   // Waves reach the faces in rock under the far field, which the in-situ stress has made softer or stiffer.
@@ -166,7 +166,9 @@ BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, mpm::Body<CpdiQuad
   BlastSolver<Rock, Integrator> solver(background(scene), std::move(rock), make_charge(scene), make_air(scene));
   solver.safety = scene.step.safety;
   solver.integrator.flip = scene.step.flip;
-  set_faces(solver, scene, [&](int, int) { return mpm::Quiet<Space>::from(density, moduli); });
+  set_faces(solver, scene, [&](int, int) {
+    return scene.block.faces == Faces::free ? mpm::Quiet<Space>{} : mpm::Quiet<Space>::from(density, moduli);
+  });
   solver.hold_quiet_faces();
   if (scene.step.rest_speed > 0) solver.template let_rest<0>(scene.step.rest_speed);
   return solver;

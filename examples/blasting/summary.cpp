@@ -37,6 +37,7 @@ void write_summary(const std::filesystem::path& file, const Summary& s) {
   json.add("completed", std::string(s.completed ? "true" : "false"))
       .add("simulated_seconds", s.simulated_seconds)
       .add("wall_seconds", s.wall_seconds)
+      .add("cpu_seconds", s.cpu_seconds)
       .add("steps", Object(nested).add("relaxation", s.steps.relaxation).add("blast", s.steps.blast))
       .add("particles",
            Object(nested).add("rock", s.particles.rock).add("charge", s.particles.charge).add("air", s.particles.air))
@@ -49,6 +50,7 @@ void write_summary(const std::filesystem::path& file, const Summary& s) {
                         .add("along_y", s.crack.along_y)
                         .add("longest", s.crack.longest)
                         .add("area", s.crack.area)
+                        .add("crushed_area", s.crack.crushed_area)
                         .add("crushed_radius", s.crack.crushed_radius))
       .add("wall_radial_stress", s.wall_radial_stress)
       .add("energy", energy)

@@ -15,7 +15,7 @@ struct Summary {
 
   bool completed = false;
   double simulated_seconds = 0;
-  double wall_seconds = 0;
+  double wall_seconds = 0, cpu_seconds = 0;
   struct Steps {
     std::int64_t relaxation = 0, blast = 0;
   } steps{};
@@ -26,10 +26,10 @@ struct Summary {
   struct Relaxation {
     double unbalanced_force = unknown, kinetic_ratio = unknown;
   } relaxation{};
-  /// Damaged rock around the hole: distances from its centre, m, and area of the full circle, m2.
+  /// Damaged rock around the hole: distances from its centre, m, and areas of the full circle, m2.
   struct Crack {
     double reach = unknown, along_x = unknown, along_y = unknown, longest = unknown, area = unknown,
-           crushed_radius = unknown;
+           crushed_area = unknown, crushed_radius = unknown;
   } crack{};
   double wall_radial_stress = unknown;     ///< Pa, tension positive
   std::map<std::string, double> energy{};  ///< J/m

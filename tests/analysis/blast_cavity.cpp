@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <mpm/analysis/blast_cavity.hpp>
+#include <mpm/analysis/blair_fit.hpp>
 #include <gtest/gtest.h>
 #include <cmath>
 #include <complex>
@@ -135,4 +135,19 @@ TEST(BlastCavity, RefusesWhatHasNoMeaning) {
   incompressible.poisson = 0.5;
   EXPECT_THROW(incompressible.at(a, 1e-5), std::invalid_argument);
 }
+TEST(BlairFit, FindsThePulseThatItIsGiven) {
+  for (const double n : {.2, 2., 7.}) {
+    const BlairLoad load{.peak = 3e9, .n = n, .gamma = n / 4e-6};
+    std::vector<double> time, pressure;
+    for (int i = 0; i <= 100; ++i) time.push_back(5e-7 * i), pressure.push_back(load.pressure(time.back()));
+    const auto found = fit_blair(time, pressure);
+    EXPECT_NEAR(found.peak, 3e9, 1e-3);
+    EXPECT_NEAR(found.n, n, 1e-4 * n);
+    EXPECT_NEAR(found.gamma, load.gamma, 1e-4 * load.gamma);
+  }
+  const double zero[] = {0, 0};
+  EXPECT_THROW(fit_blair(zero, zero), std::invalid_argument);
+  EXPECT_THROW(fit_blair(zero, {}), std::invalid_argument);
+}
+
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <mpm/analysis/crack_measures.hpp>
+#include <mpm/analysis/crack_rose.hpp>
 #include <gtest/gtest.h>
 #include <cmath>
 #include <numbers>
@@ -19,6 +19,9 @@ struct Rock {
   }
   CrackMeasures measures(const CrackCount& count) const {
     return crack_measures({x, y, area, damage, crushing, 2, -1}, count);
+  }
+  std::vector<double> rose(const CrackCount& count, int sectors) const {
+    return crack_rose({x, y, area, damage, crushing, 2, -1}, count, sectors);
   }
 };
 
@@ -67,6 +70,27 @@ TEST(CrackMeasures, CrushedRadiusIsWhereTheRingMeanFallsToAHalf) {
   rock.add(0.65, 50, 1, 1, 1);
   const CrackMeasures m = rock.measures({.ring_width = 0.1});
   EXPECT_NEAR(m.crushed_radius, 0.5, 1e-12);
+}
+
+TEST(CrackMeasures, CrushedAreaCountsCrushingAlone) {
+  Rock rock;
+  rock.add(1, 10, 2, 1, 0.4);
+  rock.add(1, 20, 3, 1, 0.6);
+  EXPECT_NEAR(rock.measures({.multiplicity = 4}).crushed_area, 12, 1e-12);
+}
+
+TEST(CrackRose, ReachesFarthestWhereTheCracksDo) {
+  Rock rock;
+  rock.add(1, 0, 1, 1);
+  rock.add(2, 44, 1, 1);  // the sector about 0 ends at 45 degrees, that about 90 at 135
+  rock.add(5, 46, 1, 1);
+  rock.add(9, 90, 1, 0.5);  // at the threshold is not beyond it
+  rock.add(3, -46, 1, 1);
+  EXPECT_EQ(rock.rose({}, 4).size(), 4u);
+  const double open[] = {2, 5, 0, 3}, mirrored[] = {2, 5, 2, 5};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(rock.rose({}, 4)[k], open[k], 1e-12) << k;
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(rock.rose({.multiplicity = 4}, 4)[k], mirrored[k], 1e-12) << k;
+  EXPECT_THROW(rock.rose({}, 0), std::invalid_argument);
 }
 
 TEST(CrackMeasures, NothingDamagedIsZero) {

@@ -38,10 +38,24 @@ struct CrackMeasures {
   double along_y{};         ///< m, the same about the y axis
   double longest{};         ///< m, radius of the farthest damaged particle
   double area{};            ///< m2, damaged, on the full circle
+  double crushed_area{};    ///< m2, where `crushing` exceeds the threshold, on the full circle
   double crushed_radius{};  ///< m, out to which the ring mean of `crushing` exceeds one half
 };
 
+/// Throws std::invalid_argument on spans of unequal length or a ring width that is not positive.
+inline void check(const DamageSamples& samples, const CrackCount& count) {
+  const std::size_t n = samples.x.size();
+  for (const auto& column : {samples.y, samples.area, samples.damage, samples.crushing})
+    if (column.size() != n)
+      throw std::invalid_argument("DamageSamples: columns of " + std::to_string(n) + " and " +
+                                  std::to_string(column.size()) + " particles; give all the same length");
+  if (!(count.ring_width > 0)) throw std::invalid_argument("CrackCount: ring_width must be positive");
+}
+
 namespace detail {
+
+/// Share of the damaged area within the reach.
+constexpr double reach_share = 0.995;
 
 struct RadiusAndArea {
   double radius{}, area{};
@@ -80,17 +94,10 @@ inline double crushed_radius(const DamageSamples& p, const std::vector<double>& 
 
 }  // namespace detail
 
-/// Measures the damage of `samples`. Throws std::invalid_argument on spans of unequal length or a ring width that is
-/// not positive.
+/// Measures the damage of `samples`. Throws std::invalid_argument as `check` does.
 inline CrackMeasures crack_measures(const DamageSamples& samples, const CrackCount& count) {
+  check(samples, count);
   const std::size_t n = samples.x.size();
-  for (const auto& column : {samples.y, samples.area, samples.damage, samples.crushing})
-    if (column.size() != n)
-      throw std::invalid_argument("crack_measures: columns of " + std::to_string(n) + " and " +
-                                  std::to_string(column.size()) + " particles; give all the same length");
-  if (!(count.ring_width > 0)) throw std::invalid_argument("crack_measures: ring_width must be positive");
-
-  constexpr double share = 0.995;
   const double tan30 = 1 / std::numbers::sqrt3;
   std::vector<double> radius(n);
   std::vector<detail::RadiusAndArea> all, near_x, near_y;
@@ -98,6 +105,7 @@ inline CrackMeasures crack_measures(const DamageSamples& samples, const CrackCou
   for (std::size_t i = 0; i < n; ++i) {
     const double dx = std::abs(samples.x[i] - samples.centre_x), dy = std::abs(samples.y[i] - samples.centre_y);
     radius[i] = std::hypot(dx, dy);
+    if (samples.crushing[i] > count.threshold) result.crushed_area += count.multiplicity * samples.area[i];
     if (!(samples.damage[i] > count.threshold)) continue;
     const detail::RadiusAndArea here{radius[i], samples.area[i]};
     all.push_back(here);
@@ -106,9 +114,9 @@ inline CrackMeasures crack_measures(const DamageSamples& samples, const CrackCou
     result.longest = std::max(result.longest, radius[i]);
     result.area += count.multiplicity * samples.area[i];
   }
-  result.reach = detail::radius_holding(share, std::move(all));
-  result.along_x = detail::radius_holding(share, std::move(near_x));
-  result.along_y = detail::radius_holding(share, std::move(near_y));
+  result.reach = detail::radius_holding(detail::reach_share, std::move(all));
+  result.along_x = detail::radius_holding(detail::reach_share, std::move(near_x));
+  result.along_y = detail::radius_holding(detail::reach_share, std::move(near_y));
   result.crushed_radius = detail::crushed_radius(samples, radius, count.ring_width);
   return result;
 }
