@@ -153,13 +153,13 @@ double wall_radial_stress(const Body& rock, const Scene& scene) {
   return stress / volume;
 }
 
-/// Mean stress of the rock within a cell of the point at distance r from the hole's centre along x.
+/// Mean stress of the rock within a cell of the point.
 template <class Body>
-mpm::analysis::PolarStress probe(const Body& rock, double r, const Scene& scene) {
+mpm::analysis::PolarStress probe(const Body& rock, const std::array<double, 2>& point, const Scene& scene) {
   mpm::analysis::PolarStress sum{};
   double volume = 0;
   for (std::size_t p = 0; p < rock.size(); ++p) {
-    if (std::hypot(rock.x(0)[p] - scene.hole.x - r, rock.x(1)[p] - scene.hole.y) > scene.grid.cell) continue;
+    if (std::hypot(rock.x(0)[p] - point[0], rock.x(1)[p] - point[1]) > scene.grid.cell) continue;
     const auto s = polar_stress(rock, p, scene);
     sum.rr += rock.volume()[p] * s.rr, sum.tt += rock.volume()[p] * s.tt, sum.rt += rock.volume()[p] * s.rt;
     volume += rock.volume()[p];
@@ -287,8 +287,9 @@ class Recorder {
  private:
   static std::vector<mpm::io::Column> probe_columns(const Scene& scene) {
     std::vector<mpm::io::Column> columns{{"time", "s"}, {"wall_radial_stress", "Pa"}};
-    for (const double r : scene.output.probes) {
-      const std::string at = "_at_" + mpm::io::number(r) + "m";
+    for (std::size_t k = 0; k < scene.output.probes.size(); ++k) {
+      std::string at = "_at_" + mpm::io::number(scene.output.probes[k]) + "m";
+      if (!scene.output.probe_directions.empty()) at += "_" + mpm::io::number(scene.output.probe_directions[k]) + "deg";
       columns.push_back({"radial_stress" + at, "Pa"});
       columns.push_back({"hoop_stress" + at, "Pa"});
     }
@@ -305,8 +306,8 @@ class Recorder {
     const double wall = blasting::wall_radial_stress(rock, scene_);
     wall_ = std::min(wall_, wall);
     row = {solver.time, wall};
-    for (const double r : scene_.output.probes) {
-      const auto s = probe(rock, r, scene_);
+    for (std::size_t k = 0; k < scene_.output.probes.size(); ++k) {
+      const auto s = probe(rock, scene_.probe(k), scene_);
       row.insert(row.end(), {s.rr, s.tt});
     }
     probes_.row(row);

@@ -58,6 +58,8 @@ Parameters rock(Scene& s) {
       {"block.side", &s.block.side, "m", "full side of the square block of rock", positive},
       {"block.faces", Choice(s.block.faces, {"quiet", "free"}), "",
        "outer sides during the blast: waves pass as into endless rock, or the slab ends there under its in-situ load"},
+      {"block.mirror", Choice(s.block.mirror, {"none", "left", "bottom"}), "",
+       "a side that mirrors the block: the hole and its image are fired at once (model full)"},
       {"grid.cell", &s.grid.cell, "mm", "side of a cell of the background grid", positive},
       {"rock.particle", &r.particle, "mm", "side of a rock particle", positive},
       {"rock.law", Choice(r.law, {"jh2", "elastic"}), "", "Johnson-Holmquist 2, or linear elastic without damage"},
@@ -112,8 +114,9 @@ Parameters stages(Scene& s) {
        {0, 1}},
       {"end_time", &s.end_time, "us", "simulated time of the blast", {0, 1, true}},
       {"output.snapshots", &s.output.snapshots, "", "snapshots of the blast, the last at the end time", {0, 100000}},
-      {"output.probes", &s.output.probes, "m", "distances from the hole's centre along x, with commas, or none",
-       positive},
+      {"output.probes", &s.output.probes, "m", "distances from the hole's centre, with commas, or none", positive},
+      {"output.probe_directions", &s.output.probe_directions, "",
+       "directions of the probes, degrees from x, one each (none: all along x)", any},
   };
 }
 
@@ -162,6 +165,8 @@ void check_symmetry(const Scene& s) {
       {"hole.x", s.hole.x}, {"hole.y", s.hole.y}, {"charge.x", s.charge.x}, {"charge.y", s.charge.y}};
   for (const auto& [key, value] : offsets)
     if (value != 0) fail(key, value, "mm", "a quarter model needs a symmetric scene, set model to full");
+  if (s.block.mirror != Mirror::none)
+    throw InputError("block.mirror: the sides of a quarter model mirror it already, set model to full");
 }
 
 void check_resolution(const Scene& s) {
@@ -176,14 +181,31 @@ void check_resolution(const Scene& s) {
   if (particles > most)
     fail("rock.particle", s.rock.particle, "mm",
          "this makes more than 1e9 rock particles, raise it or lower block.side");
-  const double end = s.block.side / 2 - s.hole.x;
-  for (const double probe : s.output.probes)
-    if (probe <= s.hole.radius || probe >= end)
+}
+
+void check_probes(const Scene& s) {
+  const auto& directions = s.output.probe_directions;
+  if (!directions.empty() && directions.size() != s.output.probes.size())
+    throw InputError("output.probe_directions: " + std::to_string(directions.size()) + " directions for " +
+                     std::to_string(s.output.probes.size()) + " output.probes, give each one");
+  for (std::size_t k = 0; k < s.output.probes.size(); ++k) {
+    const double probe = s.output.probes[k], half = s.block.side / 2;
+    const auto [x, y] = s.probe(k);
+    const double low = s.model == Model::quarter ? -1e-9 : -half;
+    if (probe <= s.hole.radius || x >= half || y >= half || x <= low || y <= low)
       fail("output.probes", probe, "m",
-           "not in the rock, keep it between " + millimetres(s.hole.radius) + " and " + millimetres(end));
+           "not in the rock, keep it beyond " + millimetres(s.hole.radius) + " and within the " +
+               (s.model == Model::quarter ? "quarter" : "block"));
+  }
 }
 
 }  // namespace
+
+std::array<double, 2> Scene::probe(std::size_t k) const {
+  const double direction = output.probe_directions.empty() ? 0 : output.probe_directions[k] * M_PI / 180;
+  const double x = output.probes[k] * std::cos(direction), y = output.probes[k] * std::sin(direction);
+  return {hole.x + x, hole.y + y};
+}
 
 Parameters parameters(Scene& scene) {
   Parameters all = hole_and_charge(scene);
@@ -199,6 +221,7 @@ void validate(const Scene& scene) {
   check_hole(scene);
   check_symmetry(scene);
   check_resolution(scene);
+  check_probes(scene);
 }
 
 void write_scene(const Scene& scene, const std::filesystem::path& path) {

@@ -2,6 +2,8 @@
 #pragma once
 #include <mpm/geometry/holed_block.hpp>
 #include <mpm/io/parameters.hpp>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -18,6 +20,7 @@ enum class RockPreset { paper, granite_1200, granite_3000 };
 enum class TensileLaw { rankine, none };
 enum class StressStart { kirsch, far_field };
 enum class Faces { quiet, free };
+enum class Mirror { none, left, bottom };
 enum class StressUpdate { usl, musl, usf };
 
 /// Every parameter of a run, in SI. The member initialisers are the default scene. An optional member, when set,
@@ -45,6 +48,7 @@ struct Scene {
   struct Block {
     double side = 3;
     Faces faces = Faces::quiet;
+    Mirror mirror = Mirror::none;
   } block;
 
   struct Grid {
@@ -93,7 +97,11 @@ struct Scene {
   struct Output {
     int snapshots = 6;
     std::vector<double> probes{0.1, 0.2};
+    std::vector<double> probe_directions{};
   } output;
+
+  /// Where probe k is, m from the centre of the block.
+  std::array<double, 2> probe(std::size_t k) const;
 };
 
 /// The one list of keys, bound to the members of `scene`; its values are the defaults where `scene` is a fresh one.

@@ -73,12 +73,14 @@ mpm::Body<CpdiQuad, Rock, Space> make_rock(const Scene& scene) {
   return rock;
 }
 
-/// Puts symmetry rollers on the cut faces of a quarter model and `face(axis, side)` on all others.
+/// Puts symmetry rollers on the cut faces of a quarter model and on one that mirrors the block, `face(axis, side)` on
+/// all others.
 template <class Solver, class F>
 void set_faces(Solver& solver, const Scene& scene, const F& face) {
   for (int axis = 0; axis < 2; ++axis)
     for (int side = 0; side < 2; ++side) {
-      if (scene.model == Model::quarter && side == 0) {
+      const Mirror here = side == 1 ? Mirror::none : axis == 0 ? Mirror::left : Mirror::bottom;
+      if ((scene.model == Model::quarter && side == 0) || (here != Mirror::none && here == scene.block.mirror)) {
         solver.boundary.face(axis, side) = mpm::Rollers<Space>{};
       } else {
         solver.boundary.face(axis, side) = face(axis, side);

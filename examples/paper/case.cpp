@@ -83,10 +83,7 @@ Blast run(const Case& one, const fs::path& parent) {
   blasting::validate(one.scene);
   blasting::check_laws(one.scene);
   Blast blast{.scene = one.scene, .folder = parent / one.name};
-  if (same_scene(one.scene, blast.folder) && read_result(blast)) {
-    std::printf("%s: there already\n", one.name.c_str());
-    return blast;
-  }
+  if (same_scene(one.scene, blast.folder) && read_result(blast)) return blast;
   blasting::prepare_output(blast.folder, true);
   fs::remove(blast.folder / "problem.txt");
   blasting::write_scene(one.scene, blast.folder / "scene.info");

@@ -33,8 +33,8 @@ struct Blast {
   Columns table(const std::string& file) const;
 };
 
-/// Runs the case in `parent`/name, unless a run of the same scene is there, complete or failed; says so in a line. A
-/// run that fails is recorded with its reason, not thrown. Throws mpm::io::InputError for a bad scene.
+/// Runs the case in `parent`/name, unless a run of the same scene is there, complete or failed. A run that fails is
+/// recorded with its reason, not thrown. Throws mpm::io::InputError for a bad scene.
 Blast run(const Case& one, const std::filesystem::path& parent);
 
 /// Reads a table whose header reads `name [unit],...`. Throws std::runtime_error naming the file.

@@ -106,9 +106,9 @@ void cavity_histories(Report& report) {
                         {curve("exact", theory, (theory.*component)[i], "lines linewidth 2 linecolor rgb '#000000'"),
                          curve("elastic rock", elastic, (elastic.*component)[i],
                                "lines dashtype 2 linewidth 3 linecolor rgb '#D55E00'"),
-                         curve("JH-2 with the tensile law", rock, (rock.*component)[i],
-                               "lines linewidth 2 linecolor rgb '#0072B2'")},
-                        is_hoop ? "set key top right\n" : "set key bottom right\n"});
+                         curve("JH-2 rock", rock, (rock.*component)[i], "lines linewidth 2 linecolor rgb '#0072B2'")},
+                        is_hoop ? "set offsets 0, 0, graph .4, 0\nset key top right\n"
+                                : "set offsets 0, 0, 0, graph .4\nset key bottom right\n"});
     }
   }
   draw_curves(panels, 2, report.folder / "fig10.png");

@@ -51,7 +51,7 @@ std::vector<Finding> judge_levels(const States& s) {
        fixed(100 * late, 1) + " % (at 0 MPa " + fixed(100 * s.at(equiaxial(0)).late_growth, 1) + " %)", late <= .02},
       {"Cracks are almost as long along x as along y under equal stresses: within 20 %",
        "largest difference " + fixed(100 * uneven, 0) + " %", uneven <= .2},
-      {"In-situ stress raises the compressive stress of the blast, .4 m from the hole",
+      {"In-situ stress raises the compressive stress of the blast, .8 m from the hole",
        "peaks " + joined(compression, -1e-6, 0) + " MPa", compression.back() < compression.front()},
       {"and lowers the tensile stress there", "peaks " + joined(tension, 1e-6, 1) + " MPa", falls(tension)},
   };

@@ -26,7 +26,8 @@ struct Measured {
   double tension{};      ///< largest hoop one there
   double hole{}, half_side{};
 };
-inline constexpr double probe_radius = 0.4;  ///< m
+/// Of the stresses that are compared, m: beyond the cracks, whose rock carries less the more it is cracked.
+inline constexpr double probe_radius = 0.8;
 using States = std::map<State, Measured>;
 
 /// Throws std::runtime_error where the run's tables cannot be read.

@@ -42,15 +42,18 @@ Curve outward(const std::string& name, const Kirsch& kirsch, double degrees,
 }
 
 Axes along(const std::string& title, double degrees) {
-  Axes axes{.title = title, .x = "r/a", .y = "stress, MPa", .extra = "set key bottom right maxrows 6\n"};
+  Axes axes{.title = title + ", 40 MPa along y: hoop solid, radial dashed",
+            .x = "r/a",
+            .y = "stress, MPa",
+            .extra = "set xrange [1:10]\nset key outside right\n"};
   const char* colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
   for (std::size_t i = 0; i < lateral_ratios.size(); ++i) {
     const auto kirsch = field(lateral_ratios[i] * vertical_stress, vertical_stress);
     const std::string colour = std::string("linewidth 2 linecolor rgb '") + colours[i] + "'";
-    axes.curves.push_back(outward(k_is(lateral_ratios[i]) + ", hoop", kirsch, degrees, &mpm::analysis::PolarStress::tt,
+    axes.curves.push_back(outward(k_is(lateral_ratios[i]), kirsch, degrees, &mpm::analysis::PolarStress::tt,
                                   ("lines " + colour).c_str()));
     axes.curves.push_back(
-        outward("radial", kirsch, degrees, &mpm::analysis::PolarStress::rr, ("lines dashtype 2 " + colour).c_str()));
+        outward("", kirsch, degrees, &mpm::analysis::PolarStress::rr, ("lines dashtype 2 " + colour).c_str()));
   }
   return axes;
 }
@@ -59,11 +62,12 @@ Axes along(const std::string& title, double degrees) {
 
 void kirsch_curves(Report& report) {
   const std::string angle = "angle from x, degrees", wall = "hoop stress on the wall, MPa";
-  const std::string around = "set xrange [0:360]\nset xtics 90\nset key outside right\n", out = "set xtics autofreq\n";
-  Axes a{"(a) equal stresses", angle, wall, {}, around},
+  const std::string around = "set xrange [0:360]\nset xtics 90\nset key outside right\n",
+                    out = "set xtics autofreq\nset xrange [1:10]\nset key outside right\n";
+  Axes a{"(a) equal stresses", angle, wall, {}, around + "set yrange [-110:0]\n"},
       b{"(b) 40 MPa along y, k times that along x", angle, wall, {}, around};
-  Axes c{"(c) equal stresses", "r/a", "radial stress, MPa", {}, out + "set key outside right\n"},
-      d{"(d) equal stresses", "r/a", "hoop stress, MPa", {}, out + "set key outside right\n"};
+  Axes c{"(c) equal stresses", "r/a", "radial stress, MPa", {}, out},
+      d{"(d) equal stresses", "r/a", "hoop stress, MPa", {}, out};
   for (const double level : equiaxial_levels) {
     if (level == 0) continue;
     const auto kirsch = field(level, level);

@@ -19,9 +19,13 @@ int main(int argc, char** argv) {
     paper::initial_stress(report);
     paper::cavity_histories(report);
     paper::marble_slab(report);
+    paper::energy_ledger(report);
+    paper::hole_pairs(report);
+    paper::objectivity(report);
+    paper::rock_readings(report);
+    paper::economy(report);
     front.findings = report.findings;
     paper::twelve_blasts(front);
-    paper::rock_readings(report);
     front.page.append(report.page);
     front.page.write(options.output,
                      std::string("Rock blasting in deep ground") + (options.quick ? " (quick: cells of 20 mm)" : ""));

@@ -88,7 +88,7 @@ void draw_tiles(const std::vector<Tile>& tiles, const TileStyle& style, const st
   const std::string span = "[" + number(-w) + ":" + number(w) + "]\n", side = std::to_string(style.pixels);
   std::string script = "set multiplot\n" + blasting::palette(style.colours) + "set cbrange [" + number(style.low) +
                        ":" + number(style.high) + "]\nset cblabel " + gnuplot_string(style.quantity) +
-                       "\nunset key\nunset tics\nset cbtics\nset border 31 linecolor rgb '#909090'\nset xrange " +
+                       "\nunset key\nunset xtics\nunset ytics\nset border 31 linecolor rgb '#909090'\nset xrange " +
                        span + "set yrange " + span;
   if (style.hole > 0)
     script += "set object 2 circle at 0,0 size " + number(style.hole) +

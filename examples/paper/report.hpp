@@ -26,7 +26,15 @@ void cavity_histories(Report& report);
 void twelve_blasts(Report& report);
 /// Figs. 5 and 6: a slab of marble with and without prestress.
 void marble_slab(Report& report);
+/// Where the charge's energy goes, and the pressure on the wall.
+void energy_ledger(Report& report);
+/// Two holes along and across the larger stress.
+void hole_pairs(Report& report);
+/// What the mesh does to the cracks.
+void objectivity(Report& report);
 /// What other readings of the paper's rock give.
 void rock_readings(Report& report);
+/// What each simplification of the scene changes and saves.
+void economy(Report& report);
 
 }  // namespace paper

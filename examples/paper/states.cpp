@@ -20,7 +20,7 @@ blasting::Scene scene_of(const State& state, bool coarse) {
   scene.model = blasting::Model::full;
   if (coarse) scene.grid.cell = .02, scene.rock.particle = .01;
   scene.stress.horizontal = 1e6 * state.first, scene.stress.vertical = 1e6 * state.second;
-  scene.output = {.snapshots = 0, .probes = {.1, .2, probe_radius, .8}};
+  scene.output = {.snapshots = 0, .probes = {.1, .2, .4, probe_radius}};
   return scene;
 }
 

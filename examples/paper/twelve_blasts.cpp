@@ -22,9 +22,7 @@ std::vector<std::pair<std::string, State>> in_order() {
     order.push_back({"(" + std::string(1, letter++) + ") " + what, state});
   };
   for (const double level : equiaxial_levels) add(fixed(level, 0) + " MPa", {level, level});
-  for (const double k : lateral_ratios)
-    add("k = " + mpm::io::number(k) + ": " + fixed(k * vertical_stress, 0) + " / 40 MPa",
-        {k * vertical_stress, vertical_stress});
+  for (const double k : lateral_ratios) add("k = " + mpm::io::number(k), {k * vertical_stress, vertical_stress});
   return order;
 }
 
@@ -105,7 +103,7 @@ Curve rose_of(const Blast& blast, const std::string& name) {
 }
 
 void draw_roses(const Blasts& blasts, Report& report) {
-  const std::string square = "set size ratio -1\nset key outside right top\n";
+  const std::string square = "set size ratio -1\nset xtics 500\nset key outside right top\n";
   Axes levels{"equal stresses", "x, mm", "y, mm", {}, square},
       ratios{"40 MPa along y, k times that along x", "x, mm", "y, mm", {}, square};
   for (const double level : equiaxial_levels)

@@ -62,9 +62,9 @@ TEST(Blast, WritesEverythingItPromises) {
   EXPECT_GT(summary.get<int>("steps.relaxation"), 0);
   EXPECT_GT(summary.get<int>("steps.blast"), 0);
   EXPECT_LE(summary.get<double>("relaxation.unbalanced_force"), 1e-6);
-  for (const char* file :
-       {"scene.info", "summary.json", "energies.csv", "probes.csv", "cracks.csv", "rose.csv", "blast.hdf.series", "blast_000000.hdf",
-        "blast_000002.hdf", "damage.png", "hoop_stress.png", "pressure.png", "energies.png", "probes.png"})
+  for (const char* file : {"scene.info", "summary.json", "energies.csv", "probes.csv", "cracks.csv", "rose.csv",
+                           "blast.hdf.series", "blast_000000.hdf", "blast_000002.hdf", "damage.png", "hoop_stress.png",
+                           "pressure.png", "energies.png", "probes.png"})
     EXPECT_TRUE(fs::exists(folder("out") / file)) << file;
   EXPECT_FALSE(fs::exists(folder("out") / "blast_000003.hdf"));
 }

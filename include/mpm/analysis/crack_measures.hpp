@@ -54,9 +54,6 @@ inline void check(const DamageSamples& samples, const CrackCount& count) {
 
 namespace detail {
 
-/// Share of the damaged area within the reach.
-constexpr double reach_share = 0.995;
-
 struct RadiusAndArea {
   double radius{}, area{};
 };
@@ -98,6 +95,7 @@ inline double crushed_radius(const DamageSamples& p, const std::vector<double>& 
 inline CrackMeasures crack_measures(const DamageSamples& samples, const CrackCount& count) {
   check(samples, count);
   const std::size_t n = samples.x.size();
+  constexpr double share = 0.995;
   const double tan30 = 1 / std::numbers::sqrt3;
   std::vector<double> radius(n);
   std::vector<detail::RadiusAndArea> all, near_x, near_y;
@@ -114,9 +112,9 @@ inline CrackMeasures crack_measures(const DamageSamples& samples, const CrackCou
     result.longest = std::max(result.longest, radius[i]);
     result.area += count.multiplicity * samples.area[i];
   }
-  result.reach = detail::radius_holding(detail::reach_share, std::move(all));
-  result.along_x = detail::radius_holding(detail::reach_share, std::move(near_x));
-  result.along_y = detail::radius_holding(detail::reach_share, std::move(near_y));
+  result.reach = detail::radius_holding(share, std::move(all));
+  result.along_x = detail::radius_holding(share, std::move(near_x));
+  result.along_y = detail::radius_holding(share, std::move(near_y));
   result.crushed_radius = detail::crushed_radius(samples, radius, count.ring_width);
   return result;
 }
