@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "energy_accounts.hpp"
 #include "laws.hpp"
 #include "pictures.hpp"
 #include "scene.hpp"
 #include "stages.hpp"
 #include "summary.hpp"
 #include <mpm/analysis/crack_rose.hpp>
-#include <mpm/analysis/energy.hpp>
 #include <mpm/analysis/polar.hpp>
-#include <mpm/analysis/rock_energy.hpp>
 #include <mpm/io/csv.hpp>
 #include <mpm/io/snapshot.hpp>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 // What a run writes: snapshots, tables, pictures, and the figures of its summary.
 namespace blasting {
-
-/// Copies of the model that make the full plane.
-inline double multiplicity(const Scene& scene) {
-  return scene.model == Model::quarter ? 4 : 1;
-}
 
 /// Radial and hoop stress of particle p about the hole's centre, Pa.
 template <class Body>
@@ -79,60 +72,6 @@ mpm::io::UnstructuredGrid snapshot_of(Solver& solver, const Scene& scene) {
   int number = 0;
   solver.for_bodies([&](const auto& body) { append_cells(grid, body, number++, scene); });
   return grid;
-}
-
-/// Energies of the blast, J per metre of the full plane. What the gas gives, the rock and the faces take: `balance` is
-/// what the scheme has gained or lost.
-template <class Solver>
-std::map<std::string, double> energies(Solver& solver, const Scene& scene, double charge_energy) {
-  const double m = multiplicity(scene);
-  std::map<std::string, double> e;
-  double kinetic = 0, work = 0;
-  solver.for_bodies([&](const auto& body) {
-    e["kinetic_" + body.name] = m * mpm::kinetic_energy(body);
-    e["work_" + body.name] = m * body.stress_work;
-    kinetic += m * mpm::kinetic_energy(body), work += m * body.stress_work;
-  });
-  e["charge"] = charge_energy;
-  e["boundary"] = m * solver.boundary.work();
-  e["balance"] = kinetic + work - e["boundary"];
-  return e;
-}
-
-/// Where the charge's energy is, J per metre of the full plane, since the rock was at rest.
-struct Ledger {
-  double charge = 0;    ///< still in the products
-  double air = 0;       ///< internal energy
-  double kinetic = 0;   ///< of all bodies
-  double elastic = 0;   ///< in the rock
-  double fracture = 0;  ///< spent in opening cracks
-  double crushing = 0;  ///< spent in crushing, and by bulk viscosity in the rock: the rest of the work done on it
-  double boundary = 0;  ///< gone through the outer faces
-
-  double sum() const { return charge + air + kinetic + elastic + fracture + crushing + boundary; }
-};
-
-/// The ledger of a state; `elastic` and `air` are not yet since the start.
-template <class Solver>
-Ledger ledger(Solver& solver, const Scene& scene) {
-  Ledger sum;
-  solver.for_bodies([&](const auto& body) {
-    sum.kinetic += mpm::kinetic_energy(body);
-    for (std::size_t p = 0; p < body.size(); ++p) {
-      const auto state = body.state(p);
-      const double V0 = body.mass()[p] / body.law.density;
-      if constexpr (requires { state.energy; }) {
-        (body.name == "charge" ? sum.charge : sum.air) += V0 * state.energy;
-      } else {
-        sum.elastic += V0 * mpm::analysis::elastic_energy(body.law, state, body.relative_volume(p));
-        sum.fracture += body.volume()[p] * mpm::analysis::fracture_energy_spent(body.law, state, body.particle_size(p));
-      }
-    }
-  });
-  sum.boundary = -solver.boundary.work();
-  for (double* value : {&sum.charge, &sum.air, &sum.kinetic, &sum.elastic, &sum.fracture, &sum.boundary})
-    *value *= multiplicity(scene);
-  return sum;
 }
 
 /// Mean radial stress, Pa, of the rock within a cell of the wall. The ring's mean: a single particle that shares a cell

@@ -37,6 +37,7 @@ Measured measure(const Blast& blast);
 struct Finding {
   std::string claim{}, measured{};
   bool holds = false;
+  std::vector<bool> by_seed{};  ///< the same on coarse cells, for the seeds 1, 2, ... of the rock's scatter
 };
 
 /// Every claim on the twelve states, which must all be there.

@@ -14,21 +14,13 @@ int main(int argc, char** argv) {
     if (options.help) return paper::print_help(std::cout), 0;
     paper::prepare_folder(options);
     blasting::use_threads(options.threads);
-    paper::Report front{options.output, options.quick}, report{options.output, options.quick};
-    paper::kirsch_curves(report);
-    paper::initial_stress(report);
-    paper::cavity_histories(report);
-    paper::marble_slab(report);
-    paper::energy_ledger(report);
-    paper::hole_pairs(report);
-    paper::objectivity(report);
-    paper::rock_readings(report);
-    paper::economy(report);
-    front.findings = report.findings;
-    paper::twelve_blasts(front);
-    front.page.append(report.page);
-    front.page.write(options.output,
-                     std::string("Rock blasting in deep ground") + (options.quick ? " (quick: cells of 20 mm)" : ""));
+    paper::Report report{options.output, options.quick};
+    for (const auto& part : {paper::kirsch_curves, paper::initial_stress, paper::cavity_histories, paper::marble_slab,
+                             paper::twelve_blasts, paper::energy_ledger, paper::rock_readings, paper::economy,
+                             paper::objectivity, paper::hole_pairs}) {
+      part(report);
+      report.write();
+    }
     std::printf("report in %s\n", (options.output / "index.html").c_str());
     return 0;
   } catch (const mpm::io::InputError& error) {

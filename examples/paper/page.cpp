@@ -71,15 +71,11 @@ void Page::figure(const std::filesystem::path& folder, const std::string& png, c
   body_ += "</figcaption></figure>\n";
 }
 
-void Page::append(const Page& other) {
-  contents_ += other.contents_, body_ += other.body_;
-}
-
-void Page::write(const std::filesystem::path& folder, const std::string& title) const {
+void Page::write(const std::filesystem::path& folder, const std::string& title, const std::string& head) const {
   mpm::io::replace_file(folder / "index.html",
                         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
                             "</title><style>" + style + "</style></head>\n<body><h1>" + title + "</h1>\n<nav>" +
-                            contents_ + "</nav>\n" + body_ + "</body></html>\n");
+                            contents_ + "</nav>\n" + head + body_ + "</body></html>\n");
 }
 
 }  // namespace paper

@@ -23,10 +23,8 @@ class Page {
   void table(const TableOf& table);
   /// A picture of the report's folder, with the CSV of its curves where there is one.
   void figure(const std::filesystem::path& folder, const std::string& png, const std::string& caption);
-  /// Appends another page's sections.
-  void append(const Page& other);
-  /// Puts index.html into the folder.
-  void write(const std::filesystem::path& folder, const std::string& title) const;
+  /// Puts index.html into the folder: `head`, which is HTML, before the sections.
+  void write(const std::filesystem::path& folder, const std::string& title, const std::string& head) const;
 
  private:
   std::string contents_, body_;

@@ -13,7 +13,11 @@ struct Report {
   std::filesystem::path folder;
   bool quick = false;  ///< cells and particles of twice the paper's size
   Page page{};
-  std::vector<Finding> findings{};  ///< beside those on the twelve blasts
+  std::vector<Finding> findings{};
+  TableOf states{};  ///< the twelve blasts
+
+  /// Puts index.html and claims.md into the folder, as far as the report is.
+  void write() const;
 };
 
 /// Fig. 8: stresses round a hole by Kirsch's solution.
@@ -22,7 +26,7 @@ void kirsch_curves(Report& report);
 void initial_stress(Report& report);
 /// Fig. 10: stress histories round a hole under Blair's pulse.
 void cavity_histories(Report& report);
-/// Fig. 11: the twelve blasts, the claims on them over seeds; writes claims.md.
+/// Fig. 11: the twelve blasts, the claims on them over seeds.
 void twelve_blasts(Report& report);
 /// Figs. 5 and 6: a slab of marble with and without prestress.
 void marble_slab(Report& report);

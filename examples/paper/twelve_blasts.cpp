@@ -137,30 +137,18 @@ TableOf state_table(const States& states) {
   return table;
 }
 
-std::string mark(bool holds) {
-  return holds ? "<span class=\"yes\">yes</span>" : "<span class=\"no\">no</span>";
-}
-
-/// The claims on the blasts as shown, and which hold for every seed of the coarse ones.
-TableOf claims_table(const Report& report, const States& shown) {
-  TableOf table{{"Claim", "Found", "Holds", "On coarse quarters, seeds 1, 2, 3"}, {}};
-  std::vector<std::vector<Finding>> coarse;
+/// The claims on the blasts as shown, judged on the coarse ones for every seed as well.
+std::vector<Finding> findings_on(const States& shown, const Report& report) {
+  auto findings = judge(shown);
   for (int seed = 1; seed <= seeds; ++seed) {
     Blasts blasts;
     for (const auto& state : all_states())
       blasts[state] = run({"coarse-" + name_of(state) + "-seed" + std::to_string(seed), coarse_quarter(state, seed)},
                           report.folder / "blasts");
-    coarse.push_back(judge(measured(blasts)));
+    const auto of_seed = judge(measured(blasts));
+    for (std::size_t i = 0; i < findings.size(); ++i) findings[i].by_seed.push_back(of_seed[i].holds);
   }
-  const auto findings = judge(shown);
-  for (std::size_t i = 0; i < findings.size(); ++i) {
-    std::string verdicts;
-    for (const auto& of_seed : coarse) verdicts += (verdicts.empty() ? "" : ", ") + mark(of_seed[i].holds);
-    table.rows.push_back({findings[i].claim, findings[i].measured, mark(findings[i].holds), verdicts});
-  }
-  for (const auto& finding : report.findings)
-    table.rows.push_back({finding.claim, finding.measured, mark(finding.holds), ""});
-  return table;
+  return findings;
 }
 
 }  // namespace
@@ -176,26 +164,20 @@ void twelve_blasts(Report& report) {
   draw_lengths(states, report);
   draw_roses(blasts, report);
   draw_growth(blasts, report);
-  const auto claims = claims_table(report, states);
+  for (auto& finding : findings_on(states, report)) report.findings.push_back(std::move(finding));
+  report.states = state_table(states);
 
   auto& page = report.page;
-  page.section("The paper's statements", "claims");
-  page.text(
-      "Each statement of Xiao et al. 2024 (Processes 12, 1048), what was found, and whether it holds in this run; "
-      "the statements on the twelve blasts again on quarters of the plane with 20 mm cells, for three seeds of the "
-      "scatter of the rock's strength.");
-  page.table(claims);
   page.section("Fig. 11: the twelve blasts", "fig11");
   page.figure(report.folder, "fig11.png",
               "Damage at 300 us, full planes at one scale: crushed rock red, cracks black.");
-  page.table(state_table(states));
+  page.table(report.states);
   page.figure(report.folder, "lengths.png", "Crack length over the in-situ stress.");
   page.figure(report.folder, "rose.png", "Crack roses: reach of the damage by direction.");
   page.figure(report.folder, "growth.png",
               "Reach over time: under high stress cracks stop, without stress they still run at the end, so their "
               "length there depends on the end time.");
   page.figure(report.folder, "zones.png", "Zones round the hole: mean damage of each kind by distance.");
-  mpm::io::replace_file(report.folder / "claims.md", claims.markdown() + '\n' + state_table(states).markdown());
 }
 
 }  // namespace paper

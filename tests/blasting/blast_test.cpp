@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,27 @@ TEST(Blast, KeepsItsEnergyAndCrushesTheWall) {
   const double charge = summary.get<double>("energy.charge");
   EXPECT_NEAR(charge, M_PI * 0.016 * 0.016 * 7.190001e9, 1e-6 * charge);
   EXPECT_LE(std::abs(summary.get<double>("energy.balance")), 0.01 * charge);
+  // The ledger, from what bodies hold and not from what was done on them, closes at every output too.
+  std::ifstream ledger(folder("out") / "ledger.csv");
+  std::string line;
+  std::getline(ledger, line);
+  EXPECT_EQ(line,
+            "time [s],charge [J/m],air [J/m],kinetic [J/m],elastic [J/m],fracture [J/m],crushing [J/m],"
+            "boundary [J/m],loss [J/m]");
+  double crushing = 0, fracture = 0;
+  int rows = 0;
+  for (; std::getline(ledger, line); ++rows) {
+    double value[9] = {};
+    std::istringstream cells(line);
+    for (double& v : value) std::getline(cells, line, ','), v = std::stod(line);
+    EXPECT_LE(std::abs(value[8]), 0.01 * charge) << "at " << value[0];
+    EXPECT_GE(value[5], fracture) << "at " << value[0];
+    EXPECT_GE(value[6], crushing - 1e-3 * charge) << "at " << value[0];
+    fracture = value[5], crushing = value[6];
+  }
+  EXPECT_GE(rows, 30);
+  EXPECT_GT(crushing, 0.05 * charge);
+  EXPECT_GT(fracture, 0.0005 * charge);
   // Work of the gas: between a quarter of its energy and the energy itself.
   EXPECT_LT(summary.get<double>("energy.work_charge"), -0.25 * charge);
   EXPECT_GT(summary.get<double>("energy.work_charge"), -charge);

@@ -133,7 +133,7 @@ TEST(Page, IsWholeAndItsTableMarkdown) {
   page.section("Claims", "claims");
   page.table(table);
   page.figure(folder, "missing.png", "Without gnuplot there is no picture.");
-  page.write(folder, "Title");
+  page.write(folder, "Title", "<p>head</p>");
   std::ifstream file(folder / "index.html");
   const std::string html{std::istreambuf_iterator<char>(file), {}};
   EXPECT_NE(html.find("<td><span class=\"no\">no</span></td>"), std::string::npos);
