@@ -76,6 +76,15 @@ TEST(Blast, RepeatsFromTheSceneItWrote) {
   EXPECT_EQ(first.get<std::string>("state_hash"), again.get<std::string>("state_hash"));
 }
 
+// A body without a particle once crashed the sorting of particles.
+TEST(Blast, RunsWithoutAirAndWithoutCharge) {
+  for (const char* without : {"air.fill=false", "charge.kind=none"}) {
+    const auto summary = run("out", set({without, "block.side=0.6 m", "grid.cell=20 mm", "rock.particle=10 mm",
+                                         "end_time=5 us", "output.snapshots=0", "output.probes=none"}));
+    EXPECT_TRUE(summary.get<bool>("completed")) << without;
+  }
+}
+
 // The charge fills 256/441 of the hole; at 60 us the wall has passed its peak and the crushed zone stands.
 TEST(Blast, KeepsItsEnergyAndCrushesTheWall) {
   const auto summary = run("out", set({"block.side=1 m", "end_time=60 us", "output.snapshots=0"}));

@@ -64,7 +64,7 @@ TEST(RockEnergy, CrushingSpendsWhatIsNotStored) {
   double spent = 0;
   for (int i = 1; i <= 400; ++i) {
     p.go(strained(-.05 * i / 400));
-    EXPECT_GE(p.work - elastic(p), spent - 1e-3 * p.work);
+    EXPECT_GE(p.work - elastic(p), spent - 1e-3 * p.work - 10);  // J/m3, of 4e8
     spent = p.work - elastic(p);
   }
   EXPECT_GT(p.state.damage, 0);
