@@ -100,9 +100,9 @@ void initial_stress(Report& report) {
   style.low = -2, style.high = 2;
   draw_tiles(errors, style, report.folder / "fig9_error.png");
   report.findings.push_back(
-      {"Fig. 9: relaxed from the far field, the rock finds Kirsch's stress: wall within 2 %, from 3 a on within .2 %",
+      {"Fig. 9: relaxed from the far field, the rock finds Kirsch's stress: wall within 2 %, from 3 a on within .5 %",
        "worst " + percent(worst_wall, 2) + " on the wall, " + percent(worst_far, 3) + " beyond",
-       worst_wall < .02 && worst_far < .002});
+       worst_wall < .02 && worst_far < .005});  // the sides, 20 a off, are under the far field itself: .25 %
   report.page.section("Fig. 9: the relaxed stress", "fig9");
   report.page.figure(report.folder, "fig9.png",
                      "Elastic rock relaxed from the far field; the window is 10 radii wide.");

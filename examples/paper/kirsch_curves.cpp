@@ -92,8 +92,8 @@ void kirsch_curves(Report& report) {
        least > 0 && next <= 1e-9});
   report.page.section("Fig. 8: stress round the hole, exact", "fig8");
   report.page.figure(report.folder, "fig8.png",
-                     "Kirsch's solution, Eq 12 with its shear corrected; the hole's radius a is 21 mm. Stresses are "
-                     "positive in tension.");
+                     "Kirsch's solution, Eq 12 with its shear corrected; the hole's radius a is 21 mm. (e) and (f): "
+                     "40 MPa along y, k times that along x. Stresses are positive in tension.");
 }
 
 }  // namespace paper

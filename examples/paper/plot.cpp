@@ -96,7 +96,9 @@ void draw_tiles(const std::vector<Tile>& tiles, const TileStyle& style, const st
   for (std::size_t k = 0; k < tiles.size(); ++k) {
     const int left = gap + int(k) % style.columns * (style.pixels + gap);
     const int top = height - heading - int(k) / style.columns * (style.pixels + heading);
-    const auto values = reduced(tiles[k].values, blasting::picture_pixels / style.pixels);
+    auto values = reduced(tiles[k].values, blasting::picture_pixels / style.pixels);
+    if (style.colours == blasting::ColourMap::damage)  // few shades make small files
+      for (float& value : values) value = std::round(8 * value) / 8;
     const std::string name = "tile" + std::to_string(k);
     mpm::io::replace_file(gnuplot.folder() / name,
                           {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)});
