@@ -2,16 +2,18 @@
 #include "options.hpp"
 #include "report.hpp"
 #include <blasting/run.hpp>
-#include <mpm/io/units.hpp>
+#include <program/exit_code.hpp>
 #include <cstdio>
 #include <iostream>
 
-// The figures and statements of Xiao et al. 2024, Processes 12, 1048, made again. Exit codes: 0 done, 1 a run failed, 2
-// bad input, found before any work.
+// The figures and statements of Xiao et al. 2024, Processes 12, 1048, made again.
 int main(int argc, char** argv) {
-  try {
+  return program::exit_code([&] {
     const auto options = paper::parse(argc, argv);
-    if (options.help) return paper::print_help(std::cout), 0;
+    if (options.help) {
+      paper::print_help(std::cout);
+      return 0;
+    }
     paper::prepare_folder(options);
     blasting::use_threads(options.threads);
     paper::Report report{options.output, options.quick};
@@ -23,11 +25,5 @@ int main(int argc, char** argv) {
     }
     std::printf("report in %s\n", (options.output / "index.html").c_str());
     return 0;
-  } catch (const mpm::io::InputError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+  });
 }
