@@ -75,7 +75,7 @@ struct DynamicRelaxation {
       const double uKu = sum([&](int n, int d, double u) {
         const double a = double(grid.increment[n][d] / grid.mass[n]), v = double(grid.velocity[n][d]);
         const double k = v != 0 ? -(a - acceleration_[slot<S>(n, d)]) / (dt * v) : 0;
-        return std::isfinite(k) ? std::max(k, 0.0) * double(grid.mass[n]) * u * u : 0;  // rock at rest: v may be 1e-300
+        return std::max(k, 0.0) * double(grid.mass[n]) * u * u;
       });
       const double uMu = sum([&](int n, int, double u) { return double(grid.mass[n]) * u * u; });
       return uMu > 0 ? std::min(std::sqrt(uKu / uMu) * dt, 0.95) : 0;
