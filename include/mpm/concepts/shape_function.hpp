@@ -33,11 +33,20 @@ enum class DomainMotion {
 ///     (unless the domain follows F), and `modes(body, p, grid, xi, out)`, the weights of a register of particles from
 ///     p on by axis, see shapes/modes.hpp; returns false where modes cannot give them and the plain stencil must;
 ///     `continues_linearly`, if nodes beyond a face stand for the continuation of those within;
+///   - optional `static constexpr bool tangles = true`: its domains follow every shear, which a flow makes without end;
+///   not
+///     for fluids in more than one dimension;
 ///   - optional `check(body, grid)`: throws Error before the first step when its parameters are not fit for work.
 template <class S>
 concept ShapeFunction = std::default_initializable<S> && requires(S shape, std::span<const std::uint32_t> order) {
   { S::domain_motion } -> std::convertible_to<DomainMotion>;
   shape.permute(order);
+};
+
+/// A shape whose domains tangle in a flow.
+template <class S>
+inline constexpr bool tangles = requires {
+  requires S::tangles;
 };
 
 }  // namespace mpm

@@ -14,6 +14,7 @@ struct Cpdi {
   std::array<double, 3> half_size{};  ///< initial half edges of every particle's domain, m
 
   static constexpr DomainMotion domain_motion = DomainMotion::deformation_gradient;
+  static constexpr bool tangles = true;
   template <class S>
   static constexpr int max_nodes = S::dimension == 1 ? 4 : 16;
   template <class S>

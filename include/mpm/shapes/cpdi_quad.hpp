@@ -27,6 +27,7 @@ struct CpdiQuad {
   double pressure = 0;  ///< on `surface`, following it, Pa
 
   static constexpr DomainMotion domain_motion = DomainMotion::corners;
+  static constexpr bool tangles = true;
   template <class S>
   static constexpr int max_nodes = 16;
   template <class S>
