@@ -4,6 +4,7 @@
 #include <mpm/grid.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mpm {
 
@@ -74,7 +75,8 @@ struct DynamicRelaxation {
       };
       const double uKu = sum([&](int n, int d, double u) {
         const double a = double(grid.increment[n][d] / grid.mass[n]), v = double(grid.velocity[n][d]);
-        const double k = v != 0 ? -(a - acceleration_[slot<S>(n, d)]) / (dt * v) : 0;
+        const bool moves = std::abs(dt * v) >= std::numeric_limits<double>::min();  // over less is no finite number
+        const double k = moves ? -(a - acceleration_[slot<S>(n, d)]) / (dt * v) : 0;
         return std::max(k, 0.0) * double(grid.mass[n]) * u * u;
       });
       const double uMu = sum([&](int n, int, double u) { return double(grid.mass[n]) * u * u; });
