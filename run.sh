@@ -10,6 +10,7 @@ if [[ ${1-} == --help ]]; then
 ./run.sh paper ...    make the paper's figures and statements again, a report to open in a browser (./run.sh paper --help)
 ./run.sh chart ...    chart speed against accuracy of every method (./run.sh chart --help)
 ./run.sh tune ...     name the cheapest method that keeps an error, and run it (./run.sh tune --help)
+./run.sh atlas ...    where each method stands and where it falls: pictures and a table (./run.sh atlas --help)
 ./run.sh bench ...    time whole steps by method, table at the end, ./bench.json (--quick, and Google Benchmark's options)
 END
   exit
@@ -22,6 +23,10 @@ case ${1-} in
     target=paper folder=examples/paper
     ;;
   chart | tune) target=accuracy_cost folder=benchmarks/accuracy_cost ;;
+  atlas)
+    shift
+    target=stability_atlas folder=benchmarks/stability_atlas
+    ;;
   bench)
     shift
     target=benchmark_steps folder=benchmarks packages=(libbenchmark-dev) options=(-DMPM_BUILD_BENCHMARKS=ON)

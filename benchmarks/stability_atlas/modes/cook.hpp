@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <mpm/mpm.hpp>
+#include <mpm/relax.hpp>
+#include <problems/manufactured.hpp>
+#include <algorithm>
+#include <cmath>
+
+namespace mpm::atlas {
+
+/// The shear of Cook's membrane: on the last column of particles, shared out by mass.
+struct EndLoad {
+  double from = 0;          ///< x beyond which it acts, m
+  double acceleration = 0;  ///< along y, m/s2
+  template <class Body>
+  Vector<PlaneStrain<>> operator()(const Body& body, std::size_t p, double) const {
+    return {0, body.x(0)[p] > from ? acceleration : 0};
+  }
+};
+
+/// Cook's membrane (Cook 1974): a tapered panel, (0, 0), (48, 44), (48, 60), (0, 44) m, clamped on the left, sheared by
+/// a small total load on the right, in plane strain. Deflection of the middle of the right side over that of finite
+/// elements, Q1 with mean dilatation on 200 x 200 elements, 21.94 F/E at nu .3 and 18.52 F/E at .499.
+struct Cook {
+  double poisson = .499;
+  double cell = 4;   ///< m
+  int per_edge = 2;  ///< particles a cell edge
+};
+
+template <class Shape>
+double cook(const Cook& o) {
+  using S = PlaneStrain<>;
+  constexpr double young = 1e6, density = 1, load = 1;
+  const double spacing = o.cell / o.per_edge, reference = (o.poisson < .4 ? 21.94 : 18.52) * load / young;
+  const int columns = int(std::lround(48 / spacing)), rows = columns;
+  const auto at = [&](double i, double j) {
+    const double s = i / columns, t = j / rows;
+    return Vector<S>{48 * s, 44 * s + t * (44 - 28 * s)};
+  };
+  using Law = problems::WithOrigin<Hypoelastic>;
+  Body<Shape, Law, S> panel{"panel", {}, {{.density = density, .young = young, .poisson = o.poisson}}};
+  if constexpr (requires { panel.shape.corner; }) {
+    for (int j = 0; j <= rows; ++j)
+      for (int i = 0; i <= columns; ++i) panel.shape.corner.push_back({at(i, j)[0], at(i, j)[1]});
+    for (unsigned j = 0; j < unsigned(rows); ++j)
+      for (unsigned i = 0, w = unsigned(columns) + 1; i < unsigned(columns); ++i)
+        add_quad(panel, {j * w + i, j * w + i + 1, (j + 1) * w + i + 1, (j + 1) * w + i});
+  } else {
+    if constexpr (requires { panel.shape.half_size; }) panel.shape.half_size = {spacing / 2, spacing / 2};
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i)
+        panel.add(at(i + .5, j + .5), 48. * (44 - 28 * (i + .5) / columns) / (columns * rows), {0, 0});
+  }
+  const double last = 48 - spacing;
+  double mass = 0;
+  for (std::size_t p = 0; p < panel.size(); ++p) {
+    if (panel.x(0)[p] > last) mass += panel.mass()[p];
+    for (int d = 0; d < 2; ++d) panel.history(d)[p] = panel.x(d)[p];
+  }
+  Solver<Shape, Law, DynamicRelaxation<>, S, EndLoad> solver{
+      Grid<S>{{0, -o.cell}, o.cell, {int(48 / o.cell) + 2, int(60 / o.cell) + 3}}, std::move(panel)};
+  solver.boundary.face(0, 0) = Fixed<S>{};
+  solver.body_force = {last, load / mass};
+  relax(solver, {.tolerance = 1e-4, .max_steps = 100000});
+  const auto& body = solver.body();
+  const double middle = at(columns - .5, .5 * rows)[1];
+  double moved = 0, weight = 0;
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    const auto X = problems::origin(body, p);
+    if (X[0] < last || std::abs(X[1] - middle) > spacing) continue;
+    moved += body.mass()[p] * (body.x(1)[p] - X[1]), weight += body.mass()[p];
+  }
+  return moved / weight / reference;
+}
+
+}  // namespace mpm::atlas
