@@ -3,6 +3,7 @@
 
 // The framework's core. Beside it stand <mpm/analysis/...>: energies, exact solutions, read-outs; <mpm/geometry/...>: a
 // block with a hole; <mpm/materials/presets.hpp>; and <mpm/io/...> for drivers that read scenes or write snapshots.
+#include <mpm/energy_guard.hpp>
 #include <mpm/relax.hpp>
 #include <mpm/solver.hpp>
 

@@ -7,6 +7,7 @@
 #include <mpm/rest.hpp>
 #include <limits>
 #include <sstream>
+#include <string>
 
 namespace mpm {
 
@@ -42,9 +43,10 @@ class Solver {
   BodyList bodies;
   IntegratorT integrator{};
   Box<S> boundary;
-  BodyForceT body_force{};      ///< b, m/s2
-  Scalar safety = Scalar(0.8);  ///< share of the stable step that is taken
-  double time = 0;              ///< s
+  BodyForceT body_force{};           ///< b, m/s2
+  Scalar safety = Scalar(0.8);       ///< share of the stable step that is taken
+  Scalar step_floor = Scalar(1e-6);  ///< share of the first stable step; a shorter one stops the run
+  double time = 0;                   ///< s
   std::int64_t steps = 0;
 
   /// Takes the grid and the bodies, in the order of the columns.
@@ -62,7 +64,7 @@ class Solver {
   }
 
   /// One step, as long as is stable but no longer than `longest`; returns its length, s. Throws Error when a particle
-  /// leaves the grid, a volume or a stress is no longer finite, or no stable step exists.
+  /// leaves the grid, a volume or a stress is no longer finite, or no stable step exists, or none above `step_floor`.
   Scalar step(double longest = std::numeric_limits<double>::max()) {
     locate_particles();        // particles ordered by block
     scatter<in_first_pass>();  // m_I = sum w m_p, v_I = sum w m_p v_p / m_I
@@ -285,6 +287,8 @@ class Solver {
         for_each_body([&](auto& b, auto&) { blame(b); });
         throw Error("no particle allows a stable step, in step " + std::to_string(steps));
       }
+      if (steps == 0) first_stable_ = stable_;
+      if (stable_ < step_floor * first_stable_) blame_shortest();
     }
     if constexpr (requires { integrator.step_factor(); }) {
       return safety * Scalar(integrator.step_factor()) * stable_;
@@ -354,8 +358,38 @@ class Solver {
              "look at its stress in the last snapshot, and lower `safety`");
     }
   }
+  /// Throws Error on the particle that allows the shortest step.
+  void blame_shortest() {
+    Scalar shortest = std::numeric_limits<Scalar>::max();
+    for_each_body([&](auto& b, auto&) {
+      for (std::size_t p = 0; p < b.size(); ++p) shortest = std::min(shortest, mpm::stable_step(b, p, grid));
+    });
+    for_each_body([&](auto& b, auto&) {
+      for (std::size_t p = 0; p < b.size(); ++p)
+        if (mpm::stable_step(b, p, grid) <= shortest) fail_short(b, p, shortest);
+    });
+  }
   template <class B>
-  [[noreturn]] void fail(const B& b, std::size_t p, const char* what, const char* remedy) const {
+  [[noreturn]] void fail_short(const B& b, std::size_t p, Scalar dt) const {
+    const auto L = velocity_gradient<S>(make_stencil(b, p, grid), grid.velocity, b.x(0)[p]);
+    const Scalar speed = b.velocity(p).cwiseAbs().maxCoeff(), rate = std::sqrt(inner(symmetric(L), symmetric(L)));
+    const char* remedy = "look at its law, or take a shape whose weights do not vanish at a node, such as mpm::Ugimp";
+    std::ostringstream what;
+    what << "allows a step of " << dt << " s, less than " << step_floor << " of the first (`step_floor`), as it ";
+    if (speed * dt >= Scalar(0.49) * grid.cell()) {
+      what << "moves at " << speed << " m/s";
+      remedy = "look for what drives it in the last snapshot, and lower `safety`";
+    } else if (rate * dt >= Scalar(0.099)) {
+      what << "is strained at " << rate << " 1/s";
+      remedy = "lower `safety`, or take an integrator that filters velocities, such as mpm::Fmpm";
+    } else {
+      what << "has a stiffness of " << b.law.tangent(b.state(p), b.relative_volume(p)).longitudinal
+           << " Pa and touches the grid as it does";
+    }
+    fail(b, p, what.str(), remedy);
+  }
+  template <class B>
+  [[noreturn]] void fail(const B& b, std::size_t p, const std::string& what, const char* remedy) const {
     std::ostringstream text;
     text << "particle " << p << " of " << b.name << " at (";
     for (int d = 0; d < S::dimension; ++d) text << (d ? ", " : "") << b.x(d)[p];
@@ -366,7 +400,7 @@ class Solver {
   typename detail::TransfersOf<BodyList, IntegratorT>::Type transfers_;
   Rest<S> rest_;
   std::vector<Vector<S>> smoothed_;
-  Scalar stable_ = 0;
+  Scalar stable_ = 0, first_stable_ = 0;
 };
 
 }  // namespace mpm

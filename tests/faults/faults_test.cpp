@@ -81,6 +81,53 @@ TEST(Faults, NegativeVolume) {
   expect_match(steps(solver, 1), "^particle 5 of rock .* volume that is not positive, in step 1 at");
 }
 
+TEST(Faults, StepBelowTheFloor) {
+  auto solver = block<Ugimp>();
+  EXPECT_EQ(steps(solver, 1), "no error");
+  solver.body().law.young *= 1e14;
+  solver.bodies_changed();
+  const auto text = steps(solver, 1);
+  expect_match(text, rock_particle +
+                         ".* allows a step of [0-9.e-]+ s, less than 1e-06 of the first.*stiffness of .* Pa" + ".*" +
+                         when);
+  solver.step_floor = 0;
+  EXPECT_EQ(steps(solver, 1), "no error");
+}
+TEST(Faults, StepBelowTheFloorForItsSpeed) {
+  auto solver = block<Ugimp>();
+  EXPECT_EQ(steps(solver, 1), "no error");
+  for (std::size_t p = 0; p < solver.body().size(); ++p) solver.body().v(1)[p] = 1e10;
+  solver.bodies_changed();
+  expect_match(steps(solver, 1), rock_particle + ".*as it moves at 1e\\+10 m/s" + when);
+}
+
+/// What the guard says of a block that swings, taking so many of its certain steps at a time.
+std::string guarded(double certain_steps) {
+  auto solver = block<Ugimp>();
+  for (std::size_t p = 0; p < solver.body().size(); ++p)
+    solver.body().v(0)[p] = 1e-3 * std::sin(9 * solver.body().x(0)[p]), solver.body().v(1)[p] = p % 2 ? 1e-5 : -1e-5;
+  solver.safety = certain_steps;
+  return message([&] {
+    EnergyGuard guard;
+    for (int k = 0; k < 500; ++k) solver.step(), guard(solver);
+  });
+}
+TEST(Faults, EnergyFromNowhere) {
+  const auto text = guarded(2);
+  expect_match(text, rock_particle + ".* m moves at [0-9.e+-]+ m/s and is the fastest .* has gained [0-9.e+-]+ J");
+  expect_match(text, when);
+  EXPECT_EQ(guarded(.8), "no error");
+}
+TEST(Faults, EnergyOfFacesAndWeightIsExplained) {
+  auto solver = block<Ugimp>();
+  for (const int axis : {0, 1})
+    for (const int side : {0, 1}) solver.boundary.face(axis, side) = Rollers<PlaneStrain<>>{};
+  solver.body_force = {0, -1000};
+  EnergyGuard guard;
+  EXPECT_EQ(message([&] { solver.run(.03, [&](auto& s) { guard(s); }); }), "no error");
+  EXPECT_GT(kinetic_energy(solver.body()), 0);
+}
+
 TEST(Faults, StressFailsDuringRelaxationToo) {
   auto solver = block<Ugimp, DynamicRelaxation<>>();
   EXPECT_EQ(steps(solver, 3), "no error");
