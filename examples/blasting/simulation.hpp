@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "last_good.hpp"
 #include "progress.hpp"
 #include "recorder.hpp"
 #include "run.hpp"
 #include "stages.hpp"
 #include <mpm/analysis/state_hash.hpp>
+#include <mpm/energy_guard.hpp>
 #include <mpm/relax.hpp>
 #include <chrono>
 #include <cstdio>
@@ -105,11 +107,20 @@ void blast(const Scene& scene, const std::filesystem::path& folder, mpm::Body<Cp
   Progress progress("blast", scene.end_time);
   // The charge acts at once: a first step of full length would lose 1 % of its energy, a small one that grows does not.
   double longest = 0.05 * scene.grid.cell / wave_speed(solver.template body<0>());
-  for (; solver.time < scene.end_time; longest *= 1.1) {
-    const double due = std::min(scene.end_time, recorder.next_snapshot_time()) - solver.time;
-    const double dt = solver.step(std::min(longest, due));
-    progress.update(solver.steps, solver.time, dt, solver.steps * particles);
-    recorder.record(solver);
+  LastGood<decltype(solver)> last_good(scene, folder);
+  mpm::EnergyGuard guard;
+  last_good.keep(solver);
+  try {
+    for (; solver.time < scene.end_time; longest *= 1.1) {
+      const double due = std::min(scene.end_time, recorder.next_snapshot_time()) - solver.time;
+      const double dt = solver.step(std::min(longest, due));
+      guard(solver);
+      progress.update(solver.steps, solver.time, dt, solver.steps * particles);
+      recorder.record(solver);
+      last_good.keep(solver);
+    }
+  } catch (const mpm::Error& error) {
+    last_good.leave(solver, error);
   }
   progress.finish();
   summary.wall_radial_stress = recorder.wall_radial_stress();
