@@ -27,16 +27,8 @@ struct Cpdi {
     const auto F = body.F(p);
     if constexpr (S::dimension == 1) {
       const Scalar r = F.xx * Scalar(half_size[0]);
-      const auto a = shapes::hat_axis(grid.coordinate(body.x(0)[p] - r, 0), grid.cells(0));
-      const auto b = shapes::hat_axis(grid.coordinate(body.x(0)[p] + r, 0), grid.cells(0));
-      const Scalar g = 1 / (2 * r);
-      const int apart = b.first - a.first;  // ends share the nodes of one cell, or one node between two
-      for (int i = 0; i < 2; ++i) {
-        const int k = i - apart;
-        const Scalar other = k == 0 || k == 1 ? b.w[k] : Scalar(0);
-        out.add(a.first + i, (a.w[i] + other) / 2, {g * (other - a.w[i])});
-      }
-      for (int i = std::max(0, 2 - apart); i < 2; ++i) out.add(b.first + i, b.w[i] / 2, {g * b.w[i]});
+      end_point(grid, body.x(0)[p] - r, -1 / (2 * r), out);
+      end_point(grid, body.x(0)[p] + r, 1 / (2 * r), out);
     } else {
       const Scalar l0 = Scalar(half_size[0]), l1 = Scalar(half_size[1]), x = body.x(0)[p], y = body.x(1)[p];
       const Scalar ax = F.xx * l0, ay = F.yx * l0, bx = F.xy * l1, by = F.yy * l1;
@@ -64,22 +56,7 @@ struct Cpdi {
     }
   }
   static constexpr int axis_nodes = 3;
-  /// Serves domains whose corners lie within a cell of the centre's nearest node; `stencil` serves all.
-  template <class Body, class V, std::size_t D>
-  [[gnu::always_inline]] bool modes(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>& grid,
-                                    const std::array<V, D>& xi, std::array<AxisModes<V, 3>, D>& out) const
-      requires(D == 1) {
-    const V r = body.template F<V>(p).xx * V(half_size[0]), x = V::load(body.x(0) + p);
-    const V slope = V(grid.cell()) / (V(2) * r);
-    out[0].anchor = truncated(xi[0] + V(0.5));
-    const auto left = hats(grid, 0, x - r, out[0].anchor), right = hats(grid, 0, x + r, out[0].anchor);
-    for (std::size_t k = 0; k < 2; ++k) {
-      out[0].weight[k] = V(0.5) * (left.w[k] + right.w[k]);
-      out[0].slope[k] = slope * (right.w[k] - left.w[k]);
-    }
-    return left.near && right.near;
-  }
-  /// The same in the plane.
+  /// In the plane. Serves domains whose corners lie within a cell of the centre's nearest node; `stencil` serves all.
   template <class Body, class V>
   [[gnu::always_inline]] bool domain_modes(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>& grid,
                                            DomainModes<V>& out) const {
@@ -192,6 +169,11 @@ struct Cpdi {
   template <class Scalar>
   using Axis = AxisStencil<Scalar, 2>;
 
+  template <class S, class Out>
+  static void end_point(const Grid<S>& grid, typename S::Scalar x, typename S::Scalar g, Out& out) {
+    const auto a = shapes::hat_axis(grid.coordinate(x, 0), grid.cells(0));
+    for (int i = 0; i < 2; ++i) out.add(a.first + i, a.w[i] / 2, {g * a.w[i]});
+  }
   template <class Scalar, class F>
   static void around(const Corner<Scalar>& c, const Axis<Scalar>& a, const Axis<Scalar>& b, const F& f) {
     for (int j = 0; j < 2; ++j)
