@@ -173,7 +173,7 @@ TEST(Validate, TheResolutionMakesSense) {
   EXPECT_EQ(invalid({"rock.particle=11 mm"}).substr(0, 21), "rock.particle = 11 mm");
   EXPECT_EQ(invalid({"rock.particle=1 um"}).substr(0, 24), "rock.particle = 0.001 mm");
   EXPECT_EQ(invalid({"output.probes=20 mm"}),
-            "output.probes = 0.02 m: not in the rock, keep it between 21 mm and 1500 mm");
+            "output.probes = 0.02 m: not in the rock, keep it beyond 21 mm and within the quarter");
   EXPECT_EQ(invalid({"output.probes=0.1, 2 m"}).substr(0, 19), "output.probes = 2 m");
 }
 
