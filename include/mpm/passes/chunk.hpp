@@ -38,14 +38,12 @@ template <class T>
 using Word = Native<T, 4>;
 
 /// Its numbers without their signs.
-[[gnu::always_inline]] inline Word<double> magnitude(const Word<double>& a) {
+[[gnu::always_inline]] inline void magnitude(const Word<double>& a, Word<double>& out) {
   using Bits = Native<std::int64_t, 4>;
   Bits bits;
   std::memcpy(&bits, &a, sizeof(a));
   bits &= std::numeric_limits<std::int64_t>::max();
-  Word<double> out;
   std::memcpy(&out, &bits, sizeof(out));
-  return out;
 }
 /// Two vectors of the plane in one word.
 template <class T>

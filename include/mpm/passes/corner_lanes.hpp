@@ -250,7 +250,8 @@ std::size_t update(Body& body, const ChunkList& chunks, const CornerNodes<S>& co
         Word at[4];
         shapes::unrolled<4>([&](auto c) __attribute__((always_inline)) {
           std::memcpy(&at[c], corners.pair[quad[c]].value.data(), sizeof(Word));
-          const Word speed = detail::magnitude(at[c]);
+          Word speed;
+          detail::magnitude(at[c], speed);
           fastest = speed > fastest ? speed : fastest;
         });
         sum[k] = weight[k][0] * at[0] + weight[k][1] * at[1] + (weight[k][2] * at[2] + weight[k][3] * at[3]);
