@@ -43,8 +43,9 @@ class Body {
   static_assert(
       requires { Shape::template bytes<SpaceT>; },
       "mpm::ShapeFunction: `bytes<Space>` is missing, what the shape stores a particle beside the body's fields");
-  static_assert(!(fluid && dimension > 1 && tangles<Shape>),
-                "mpm::Body: CPDI domains tangle in the flow of a gas; give the gas mpm::Ugimp or mpm::QuadraticBspline");
+  static_assert(
+      !(fluid && dimension > 1 && tangles<Shape>),
+      "mpm::Body: CPDI domains tangle in the flow of a gas; give the gas mpm::Ugimp or mpm::QuadraticBspline");
   static constexpr int column_count = 2 * dimension + 2 + stress_count + history_count + F_count;
   /// What one particle costs in memory, its share of the shape's own mesh included.
   static constexpr std::size_t bytes_per_particle = column_count * sizeof(Scalar) + Shape::template bytes<SpaceT>;
