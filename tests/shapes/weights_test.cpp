@@ -38,6 +38,25 @@ TYPED_TEST(Gimp, IsThePrintedPiecewiseForm) {
   }
 }
 
+/// Of a node that the box reaches past the nearest one's by u cells the weight is u^2/4l and its gradient u/2l, one l
+/// times the square of the other however small u: were either round-off, the node's acceleration would be anything.
+TYPED_TEST(Gimp, ANodeBarelyTouchedHasItsShareToTheLastBit) {
+  using S = Uniaxial<>;
+  const Grid<S> grid{Vector<S>{0.0}, 1, {8}};
+  const double l = 0.25;
+  for (const double side : {-1., 1.})
+    for (double u = 1e-3; u > 1e-13; u /= 10) {
+      Body<TypeParam, Hypoelastic, S> body{"particle", {{l, l, l}}, {}};
+      body.add(Vector<S>{4 + side * (u - l)}, 1, Vector<S>{0.0});
+      const int node = side > 0 ? 5 : 3;
+      double w = 0, slope = 0;
+      for (const auto& [I, weight, gradient] : make_stencil(body, 0, grid))
+        if (I == node) w += weight, slope += gradient[0];
+      EXPECT_NEAR(w, l * slope * slope, 1e-12 * w) << u;
+      EXPECT_NEAR(slope, side * u / (2 * l), 1e-14) << u;
+    }
+}
+
 template <class Random>
 Tensor<double> random_tensor(Random& engine, double size, bool plane) {
   std::uniform_real_distribution<> n(-size, size);

@@ -19,14 +19,17 @@ AxisStencil<Scalar, 2> hat_axis(Scalar xi, int cells) {
 }
 
 /// Hat averaged over a box of half size `l` <= 1/2 about `xi`, both in cells (Bardenhagen & Kober 2004): the nearest
-/// node and its two neighbours. With r the distance from the nearest node and w the weight of the lower neighbour,
-/// unity and linear reproduction give the other two: 1 - r - 2 w and r + w.
+/// node and its two neighbours. Theirs come from how far the box reaches past the nearest node, so that a node which it
+/// barely touches gets a weight that goes with the square of the gradient, to the last bit; else the mass there would
+/// be round-off, and the acceleration anything.
 template <class Scalar>
 AxisStencil<Scalar, 3> gimp_axis(Scalar xi, Scalar l) {
   const Scalar nearest = std::floor(xi + Scalar(0.5)), r = xi - nearest;
-  const Scalar t = l - std::clamp(r, -l, l), quarter = Scalar(0.25) / l;
-  const Scalar w = t * (t + 2 * std::max(Scalar(0), -l - r)) * quarter, d = -2 * t * quarter;
-  return {int(nearest) - 1, {w, 1 - r - 2 * w, r + w}, {d, -1 - 2 * d, 1 + d}};
+  const Scalar inside = std::clamp(r, -l, l), t = l - inside, u = l + inside, quarter = Scalar(0.25) / l;
+  const Scalar below = t * (t + 2 * std::max(Scalar(0), -l - r)) * quarter;
+  const Scalar above = u * (u + 2 * std::max(Scalar(0), r - l)) * quarter;
+  return {
+      int(nearest) - 1, {below, 1 - below - above, above}, {-2 * t * quarter, 2 * (t - u) * quarter, 2 * u * quarter}};
 }
 
 /// Integral of the hat from -1 to u.
@@ -36,7 +39,8 @@ Scalar hat_integral(Scalar u) {
   return u < 0 ? Scalar(0.5) * (1 + u) * (1 + u) : 1 - Scalar(0.5) * (1 - u) * (1 - u);
 }
 
-/// The same for a box of any size: the difference of the hat's integrals at its two ends.
+/// The same for a box of any size: the difference of the hat's integrals at its two ends, mirrored where that keeps it
+/// from being one of numbers near 1.
 template <int MaxNodes, class Scalar>
 WideAxisStencil<Scalar, MaxNodes> wide_gimp_axis(Scalar xi, Scalar l) {
   WideAxisStencil<Scalar, MaxNodes> a;
@@ -46,7 +50,7 @@ WideAxisStencil<Scalar, MaxNodes> wide_gimp_axis(Scalar xi, Scalar l) {
   for (int k = 0; k < a.size; ++k) {
     const Scalar node = Scalar(a.first + k);
     const Scalar u = low - node, v = high - node;
-    a.w[k] = (hat_integral(v) - hat_integral(u)) * scale;
+    a.w[k] = (u + v < 0 ? hat_integral(v) - hat_integral(u) : hat_integral(-u) - hat_integral(-v)) * scale;
     a.dw[k] = (std::max(Scalar(0), 1 - std::abs(v)) - std::max(Scalar(0), 1 - std::abs(u))) * scale;
   }
   return a;
