@@ -78,6 +78,22 @@ void expect_lame(double error_at_16) {
   EXPECT_LT(coarse / fine, 5);
 }
 
+/// What the particles barely touch is thrown about; as they come nearer it must not bring that speed to their mass.
+TEST(DynamicRelaxation, ANodeThatGainsMassKeepsItsMomentum) {
+  using S = Uniaxial<>;
+  Grid<S> grid{Vector<S>{0.0}, 1, {4}};
+  grid.activate_node(2);
+  grid.sort_active();
+  DynamicRelaxation<> relaxation;
+  grid.mass[2] = 1e-12, grid.increment[2][0] = 1e-6;
+  relaxation.advance(grid, 1.);
+  EXPECT_NEAR(grid.velocity[2][0], 1e6, 1e-3);
+  grid.mass[2] = 1, grid.increment[2][0] = 0;
+  relaxation.advance(grid, 1.);
+  EXPECT_GT(grid.velocity[2][0], 0);
+  EXPECT_LE(grid.velocity[2][0], 1e-6);
+}
+
 TEST(Radial, ThickCylinderIsLame) {
   expect_lame<Radial<>, Ugimp>(0.0575);
   expect_lame<Radial<>, Cpdi>(0.0575);

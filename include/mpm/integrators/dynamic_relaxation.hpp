@@ -35,6 +35,8 @@ struct DynamicRelaxation {
     using Scalar = typename S::Scalar;
     acceleration_.resize(grid.size() * S::dimension);
     displacement_.resize(grid.size() * S::dimension);
+    mass_.resize(grid.size());
+    keep_momentum(grid);
     force_norm = std::sqrt(grid.sum_active([&](int n) { return grid.increment[n].squaredNorm(); }));
     damping = coefficient(grid, double(dt));
     const Scalar keep = Scalar((1 - damping) / (1 + damping)), add = Scalar(1 / (1 + damping));
@@ -53,6 +55,16 @@ struct DynamicRelaxation {
   }
 
  private:
+  /// A node that particles come nearer to keeps its momentum where its velocity would make more of it: one that they
+  /// barely touched may have been very fast.
+  template <class S>
+  void keep_momentum(Grid<S>& grid) {
+    grid.for_each_active([&](int n) {
+      const double mass = double(grid.mass[n]);
+      if (mass > mass_[std::size_t(n)]) grid.velocity[n] *= typename S::Scalar(mass_[std::size_t(n)] / mass);
+      mass_[std::size_t(n)] = mass;
+    });
+  }
   template <class S>
   static std::size_t slot(int node, int d) {
     return std::size_t(node) * S::dimension + std::size_t(d);
@@ -84,7 +96,7 @@ struct DynamicRelaxation {
     }
   }
 
-  std::vector<double> acceleration_, displacement_;
+  std::vector<double> acceleration_, displacement_, mass_;
 };
 
 static_assert(Integrator<DynamicRelaxation<>> && Integrator<DynamicRelaxation<Damping::fixed>>);
