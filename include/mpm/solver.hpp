@@ -2,11 +2,11 @@
 #pragma once
 #include <mpm/boundaries/box.hpp>
 #include <mpm/concepts/integrator.hpp>
+#include <mpm/faults.hpp>
 #include <mpm/passes/transfer.hpp>
 #include <mpm/per_body.hpp>
 #include <mpm/rest.hpp>
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace mpm {
@@ -174,8 +174,9 @@ class Solver {
     clear_nodes();  // those of a block that is about to fall idle, too
     grid.deactivate_all();
     for_each_body([&](auto& b, auto& transfer) {
-      if (steps == 0) check_policies(b);
-      if (const std::size_t p = first_unfit(b, transfer.chunks_of(b.size())); p < b.size()) fail_unfit(b, p);
+      if (steps == 0) check_policies(b, grid);
+      if (const std::size_t p = first_unfit(b, grid, transfer.chunks_of(b.size())); p < b.size())
+        fail_unfit(b, p, grid, now());
       transfer.locate(b, grid);
     });
     grid.sort_active();
@@ -200,7 +201,8 @@ class Solver {
     for_each_body([&](auto& b, auto& transfer) {
       const std::size_t bad = transfer.template scatter<what>(b, grid, grid.velocity, body_force, time);
       if (bad < b.size())
-        fail(b, bad, "has a stress that is no finite number", "lower `safety`, or look at the parameters of its law");
+        fail(b, bad, now(), "has a stress that is no finite number",
+             "lower `safety`, or look at the parameters of its law");
     });
     if constexpr (gives_momentum<what>) divide_by_mass(grid.velocity);
   }
@@ -267,7 +269,7 @@ class Solver {
     for_each_body([&](auto& b, auto& transfer) {
       const std::size_t bad = transfer.template update<Blend, strained, Move>(b, grid, integrator, Scalar(time), dt);
       if (bad < b.size())
-        fail(b, bad, "has a volume or stress that is no longer a finite number",
+        fail(b, bad, now(), "has a volume or stress that is no longer a finite number",
              "lower `safety`, or refine the grid there");
     });
   }
@@ -275,7 +277,7 @@ class Solver {
     for_each_body([&](auto& b, auto& transfer) {
       constexpr Strained strained = own_strain_velocity ? Strained::by_second : Strained::by_first;
       if (const std::size_t p = transfer.template convect<strained>(b, dt); p < b.size())
-        fail(b, p, "has a domain turned inside out",
+        fail(b, p, now(), "has a domain turned inside out",
              "refine the grid there, lower `safety`, or take a shape that cannot invert, such as mpm::Cpdi");
     });
   }
@@ -284,7 +286,7 @@ class Solver {
       stable_ = std::numeric_limits<Scalar>::max();
       for_each_body([&](auto& b, auto& transfer) { stable_ = std::min(stable_, transfer.stable_step(b, grid)); });
       if (!(stable_ > 0)) {
-        for_each_body([&](auto& b, auto&) { blame(b); });
+        for_each_body([&](auto& b, auto&) { blame_stiffness(b, now()); });
         throw Error("no particle allows a stable step, in step " + std::to_string(steps));
       }
       if (steps == 0) first_stable_ = stable_;
@@ -297,67 +299,7 @@ class Solver {
     }
   }
 
-  template <class B>
-  void check_policies(const B& b) const {
-    if (b.size() == 0) return;
-    if constexpr (requires { b.shape.check(b, grid); }) b.shape.check(b, grid);
-    const auto moduli = b.law.tangent(b.law.template initial<Scalar>(), Scalar(1));
-    if (std::isfinite(moduli.longitudinal) && moduli.longitudinal >= 0 && moduli.shear >= 0) return;
-    std::ostringstream text;
-    text << "body " << b.name << ": the law's stiffness at rest is no finite positive number (longitudinal "
-         << moduli.longitudinal << " Pa, shear " << moduli.shear
-         << " Pa); look at its moduli, and keep Poisson's ratio between -1 and 0.5";
-    throw Error(text.str());
-  }
-
-  /// Outside the grid by more than half a cell, or nowhere.
-  template <class B>
-  bool outside(const B& b, std::size_t p) const {
-    const Scalar margin = grid.cell() / 2;
-    bool inside = true;
-    for (int d = 0; d < S::dimension; ++d)
-      inside = inside && b.x(d)[p] >= grid.origin()[d] - margin && b.x(d)[p] <= grid.upper(d) + margin;
-    return !inside;
-  }
-  /// First particle that no step can start from, or size().
-  template <class B>
-  std::size_t first_unfit(const B& b, const ChunkList& chunks) const {
-    using V = typename B::Lane;
-    const Scalar margin = grid.cell() / 2;
-    return chunks.least([&](std::size_t first, int count) {
-      std::size_t bad = b.size();
-      for (int l = 0; l < count; l += V::size) {
-        const std::size_t p = first + std::size_t(l);
-        auto fit = V::load(b.volume() + p) > V(0);
-        for (int d = 0; d < S::dimension; ++d) {
-          const V x = V::load(b.x(d) + p);
-          fit = fit && x >= V(grid.origin()[d] - margin) && x <= V(grid.upper(d) + margin) &&
-                V(0) * V::load(b.v(d) + p) <= V(0);
-        }
-        if (any(!fit))
-          for (int k = 0; k < std::min(V::size, count - l); ++k)
-            if (!fit.v[k]) bad = std::min(bad, p + std::size_t(k));
-      }
-      return bad;
-    });
-  }
-  template <class B>
-  [[noreturn]] void fail_unfit(const B& b, std::size_t p) const {
-    if (outside(b, p)) fail(b, p, "has left the grid", "enlarge the grid, or close its faces with walls");
-    if (!(b.volume()[p] > 0))
-      fail(b, p, "has a volume that is not positive", "lower `safety`, or refine the grid there");
-    fail(b, p, "has a velocity that is no finite number",
-         "look at its stress in the last snapshot, and lower `safety`");
-  }
-  template <class B>
-  void blame(const B& b) const {
-    for (std::size_t p = 0; p < b.size(); ++p) {
-      const auto moduli = b.law.tangent(b.state(p), b.relative_volume(p));
-      if (!std::isfinite(moduli.longitudinal + moduli.shear) || !(moduli.longitudinal >= 0))
-        fail(b, p, "allows no stable step, since its stiffness is no finite positive number",
-             "look at its stress in the last snapshot, and lower `safety`");
-    }
-  }
+  Moment now() const { return {steps, time}; }
   /// Throws Error on the particle that allows the shortest step.
   void blame_shortest() {
     Scalar shortest = std::numeric_limits<Scalar>::max();
@@ -366,35 +308,8 @@ class Solver {
     });
     for_each_body([&](auto& b, auto&) {
       for (std::size_t p = 0; p < b.size(); ++p)
-        if (mpm::stable_step(b, p, grid) <= shortest) fail_short(b, p, shortest);
+        if (mpm::stable_step(b, p, grid) <= shortest) fail_short(b, p, grid, shortest, step_floor, now());
     });
-  }
-  template <class B>
-  [[noreturn]] void fail_short(const B& b, std::size_t p, Scalar dt) const {
-    const auto L = velocity_gradient<S>(make_stencil(b, p, grid), grid.velocity, b.x(0)[p]);
-    const Scalar speed = b.velocity(p).cwiseAbs().maxCoeff(), rate = std::sqrt(inner(symmetric(L), symmetric(L)));
-    const char* remedy = "look at its law, or take a shape whose weights do not vanish at a node, such as mpm::Ugimp";
-    std::ostringstream what;
-    what << "allows a step of " << dt << " s, less than " << step_floor << " of the first (`step_floor`), as it ";
-    if (speed * dt >= Scalar(0.49) * grid.cell()) {
-      what << "moves at " << speed << " m/s";
-      remedy = "look for what drives it in the last snapshot, and lower `safety`";
-    } else if (rate * dt >= Scalar(0.099)) {
-      what << "is strained at " << rate << " 1/s";
-      remedy = "lower `safety`, or take an integrator that filters velocities, such as mpm::Fmpm";
-    } else {
-      what << "has a stiffness of " << b.law.tangent(b.state(p), b.relative_volume(p)).longitudinal
-           << " Pa and touches the grid as it does";
-    }
-    fail(b, p, what.str(), remedy);
-  }
-  template <class B>
-  [[noreturn]] void fail(const B& b, std::size_t p, const std::string& what, const char* remedy) const {
-    std::ostringstream text;
-    text << "particle " << p << " of " << b.name << " at (";
-    for (int d = 0; d < S::dimension; ++d) text << (d ? ", " : "") << b.x(d)[p];
-    text << ") m " << what << ", in step " << steps << " at " << time << " s: " << remedy;
-    throw Error(text.str());
   }
 
   typename detail::TransfersOf<BodyList, IntegratorT>::Type transfers_;
