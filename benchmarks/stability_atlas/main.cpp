@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <mpm/io/text.hpp>
 #include <mpm/io/units.hpp>
+#include <program/exit_code.hpp>
 #include <program/output_folder.hpp>
 #include <boost/program_options.hpp>
 #include <chrono>
@@ -79,17 +80,10 @@ void run(const Options& options) {
 
 }  // namespace
 
-// Exit codes: 0 done, 1 the run failed, 2 bad input, found before any work.
 int main(int argc, char** argv) {
-  try {
+  return program::exit_code([&] {
     Options options;
     if (parse(argc, argv, options)) run(options);
     return 0;
-  } catch (const mpm::io::InputError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
+  });
 }

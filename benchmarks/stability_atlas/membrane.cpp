@@ -29,6 +29,7 @@ Sheet locking(bool quick) {
   };
   add.operator()<Linear>();
   add.operator()<Ugimp>();
+  add.operator()<MeanDilatation<Ugimp>>();
   add.operator()<QuadraticBspline>();
   add.operator()<CubicBspline>();
   return sheet;

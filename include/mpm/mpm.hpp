@@ -18,6 +18,7 @@
 #include <mpm/shapes/cpdi_quad.hpp>
 #include <mpm/shapes/cpgimp.hpp>
 #include <mpm/shapes/linear.hpp>
+#include <mpm/shapes/mean_dilatation.hpp>
 #include <mpm/shapes/ugimp.hpp>
 
 #include <mpm/materials/hypoelastic.hpp>

@@ -32,22 +32,25 @@ using EveryIntegrator =
     ::testing::Types<Combination<Shape, Usf, S>, Combination<Shape, Usl, S>, Combination<Shape, Musl, S>,
                      Combination<Shape, Fmpm, S>, Combination<Shape, FullMassFlip, S>, Combination<Shape, Apic, S>>;
 
-/// Every shape in every space where a translation along the last axis is a rigid motion. A new shape costs one line a
-/// space.
-using UniaxialCombinations = typename Joined<  //
-    EveryIntegrator<Linear, Uniaxial<>>, EveryIntegrator<Ugimp, Uniaxial<>>, EveryIntegrator<Cpgimp, Uniaxial<>>,
-    EveryIntegrator<Cpdi, Uniaxial<>>, EveryIntegrator<QuadraticBspline, Uniaxial<>>>::Type;
+/// Shapes with one integrator.
+template <class S, class... Shapes>
+using WithUsl = ::testing::Types<Combination<Shapes, Usl, S>...>;
+
+/// Every shape with every integrator in the plane, and every shape and every integrator in each space where a
+/// translation along the last axis is a rigid motion. A new shape costs one line a space.
 using PlaneCombinations = typename Joined<  //
     EveryIntegrator<Linear, PlaneStrain<>>, EveryIntegrator<Ugimp, PlaneStrain<>>,
     EveryIntegrator<Cpgimp, PlaneStrain<>>, EveryIntegrator<Cpdi, PlaneStrain<>>,
-    EveryIntegrator<CubicBspline, PlaneStrain<>>, EveryIntegrator<CpdiQuad, PlaneStrain<>>>::Type;
-using AxisymmetricCombinations = typename Joined<  //
-    EveryIntegrator<Linear, Axisymmetric<>>, EveryIntegrator<Ugimp, Axisymmetric<>>,
-    EveryIntegrator<Cpgimp, Axisymmetric<>>, EveryIntegrator<Cpdi, Axisymmetric<>>,
-    EveryIntegrator<QuadraticBspline, Axisymmetric<>>>::Type;
-using SpatialCombinations = typename Joined<  //
-    EveryIntegrator<Linear, Spatial<>>, EveryIntegrator<Ugimp, Spatial<>>, EveryIntegrator<Cpgimp, Spatial<>>,
-    EveryIntegrator<QuadraticBspline, Spatial<>>, EveryIntegrator<CubicBspline, Spatial<>>>::Type;
+    EveryIntegrator<CubicBspline, PlaneStrain<>>, EveryIntegrator<CpdiQuad, PlaneStrain<>>,
+    EveryIntegrator<MeanDilatation<Ugimp>, PlaneStrain<>>>::Type;
+using UniaxialCombinations = typename Joined<EveryIntegrator<Ugimp, Uniaxial<>>,
+                                             WithUsl<Uniaxial<>, Linear, Cpgimp, Cpdi, QuadraticBspline>>::Type;
+using AxisymmetricCombinations =
+    typename Joined<EveryIntegrator<Ugimp, Axisymmetric<>>,
+                    WithUsl<Axisymmetric<>, Linear, Cpgimp, Cpdi, QuadraticBspline, MeanDilatation<Ugimp>>>::Type;
+using SpatialCombinations =
+    typename Joined<EveryIntegrator<Ugimp, Spatial<>>,
+                    WithUsl<Spatial<>, Linear, Cpgimp, QuadraticBspline, CubicBspline, MeanDilatation<Ugimp>>>::Type;
 
 constexpr double density = 1000, young = 1e6, cell = 0.1;
 inline double sound_speed() {

@@ -35,6 +35,27 @@ TEST(StableStep, StrainIsAtMostATenth) {
   EXPECT_NEAR(step_of_gas({0, 0}, -rate), 0.1 * std::sqrt(2.0) / rate, 1e-12);
 }
 
+/// uGIMP as one writes a shape at first: its stencil, and nothing for the fast passes.
+struct PlainUgimp : private Ugimp {
+  using Ugimp::bytes, Ugimp::check, Ugimp::domain_motion, Ugimp::half_size, Ugimp::max_nodes, Ugimp::permute,
+      Ugimp::reach, Ugimp::stencil;
+};
+
+/// The step follows the places of particles whose shape has no fast passes, too.
+TEST(StableStep, IsThatOfTheFastPassesWithoutThem) {
+  auto fast = block<Ugimp, Usl, PlaneStrain<>>(9);
+  auto plain = block<PlainUgimp, Usl, PlaneStrain<>>(9);
+  double shortest = 1, longest = 0;
+  for (auto* v : {fast.body().v(1), plain.body().v(1)})
+    for (std::size_t p = 0; p < fast.body().size(); ++p) v[p] = sound_speed() / 20;
+  for (int k = 0; k < 40; ++k) {
+    const double dt = fast.step();
+    ASSERT_NEAR(plain.step(), dt, 1e-9 * dt) << k;
+    shortest = std::min(shortest, dt), longest = std::max(longest, dt);
+  }
+  EXPECT_GT(longest, 1.2 * shortest);
+}
+
 /// Largest stress, in the starting one, over 400 steps of a single particle in the middle of a cell.
 template <class IntegratorT>
 double growth(double share_of_irons) {

@@ -156,16 +156,16 @@ TYPED_TEST_P(FastPasses, MoveAndStrainAsThePlainOnesDo) {
 
   auto plain = this->body, fast = this->body;
   gather_velocity(plain, ChunkList(plain.size()), this->grid, blend);
-  EXPECT_EQ(update_stress<move>(plain, ChunkList(plain.size()), this->grid, this->grid.velocity, Real(1), Real(0), dt,
-                                partial, limits),
+  EXPECT_EQ(update_stress<move>(plain, ChunkList(plain.size()), this->grid, this->grid.velocity, OwnDilatation{},
+                                Real(1), Real(0), dt, partial, limits),
             plain.size());
   EXPECT_EQ((passes.template update<true, Strained::by_first, true>(fast, this->grid, blend, 0, dt)), fast.size());
   this->expect_equal(plain, fast);
 
   plain = fast = this->body;
   gather_velocity(plain, ChunkList(plain.size()), this->grid, blend);
-  EXPECT_EQ(update_stress<move>(plain, ChunkList(plain.size()), this->grid, this->grid.strain_velocity, Real(1),
-                                Real(0), dt, partial, limits),
+  EXPECT_EQ(update_stress<move>(plain, ChunkList(plain.size()), this->grid, this->grid.strain_velocity, OwnDilatation{},
+                                Real(1), Real(0), dt, partial, limits),
             plain.size());
   passes.template update<true, Strained::none, false>(fast, this->grid, blend, 0, dt);
   EXPECT_EQ((passes.template update<false, Strained::by_second, true>(fast, this->grid, blend, 0, dt)), fast.size());

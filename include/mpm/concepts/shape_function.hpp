@@ -34,8 +34,7 @@ enum class DomainMotion {
 ///     p on by axis, see shapes/modes.hpp; returns false where modes cannot give them and the plain stencil must;
 ///     `continues_linearly`, if nodes beyond a face stand for the continuation of those within;
 ///   - optional `static constexpr bool tangles = true`: its domains follow every shear, which a flow makes without end;
-///   not
-///     for fluids in more than one dimension;
+///     not for fluids in more than one dimension;
 ///   - optional `check(body, grid)`: throws Error before the first step when its parameters are not fit for work.
 template <class S>
 concept ShapeFunction = std::default_initializable<S> && requires(S shape, std::span<const std::uint32_t> order) {
@@ -47,6 +46,12 @@ concept ShapeFunction = std::default_initializable<S> && requires(S shape, std::
 template <class S>
 inline constexpr bool tangles = requires {
   requires S::tangles;
+};
+
+/// A shape whose particles share the rate of volume of their cell; see MeanDilatation.
+template <class S>
+inline constexpr bool mean_dilatation = requires {
+  requires S::mean_dilatation;
 };
 
 }  // namespace mpm

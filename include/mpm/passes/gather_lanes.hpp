@@ -127,7 +127,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, con
           if constexpr (Move) ride<S>(body, p, make_stencil(body, p, grid), grid, dt, limit);
         } else {
           work += update_stress<Move>(body, p, grid, strained == Strained::by_first ? first_field : second_field,
-                                      grid.cell(), time, dt, bad, limit);
+                                      OwnDilatation{}, grid.cell(), time, dt, bad, limit);
         }
       }
     } else {

@@ -33,7 +33,8 @@ class Transfer {
   /// Fast passes for shapes in modes, and for corners; the plain ones for all others, and for integrators with columns
   /// of their own, which scatter by the stencil: the weights of all passes must be the same to the last bit where a
   /// particle only just touches a node.
-  static constexpr bool in_modes = (HasModes<Body> || HasDomainModes<Body>)&&column_count == 0;
+  static constexpr bool in_modes =
+      (HasModes<Body> || HasDomainModes<Body>)&&column_count == 0 && !mean_dilatation<Shape>;
   static constexpr bool corners_in_lanes = std::is_same_v<Shape, CpdiQuad> && std::is_same_v<Scalar, double>;
 
   static constexpr bool domains_change = Shape::domain_motion != DomainMotion::rigid;
@@ -139,10 +140,11 @@ class Transfer {
     } else {
       if constexpr (Blend) gather_velocity(body, order_.chunks, own, integrator);
       if constexpr (strained != Strained::none) {
-        bad =
-            update_stress < Move && !by_corners > (body, order_.chunks, own,
-                                                   strained == Strained::by_first ? own.velocity : own.strain_velocity,
-                                                   grid.cell(), time, dt, partial_, limits_);
+        const auto& velocity = strained == Strained::by_first ? own.velocity : own.strain_velocity;
+        if constexpr (mean_dilatation<Shape>) dilatation_.find(body, order_.chunks, own, grid, velocity);
+        constexpr bool rides = Move && !by_corners;
+        bad = update_stress<rides>(body, order_.chunks, own, velocity, dilatation_, grid.cell(), time, dt, partial_,
+                                   limits_);
       } else if constexpr (Move && !by_corners) {
         order_.chunks.for_each([&](std::size_t first, int count) {
           StepLimits<Scalar>& limit = limits_[first / chunk_size];
@@ -205,11 +207,11 @@ class Transfer {
     mpm::scatter_force_scale(body, order_, grid, scale);
   }
 
-  /// The largest stable step of the body. Domains that move with the particles keep the stiffness of their stencils
-  /// while they have moved by less than a fiftieth of a cell: CPDI weights have no kinks that would make it jump.
+  /// The largest stable step of the body. Domains of CPDI keep the stiffness of their stencils while they have moved by
+  /// less than a fiftieth of a cell: its weights have no kinks that would make it jump.
   Scalar stable_step(const Body& body, const Grid<S>& grid) {
     if (IntegratorT::step_interval > 1) return mpm::stable_step(body, order_.chunks, grid);
-    if constexpr (HasModes<Body>) {
+    if constexpr (HasModes<Body> || !domains_change) {
       return mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
         return detail::chunk_stiffness(body, first, count, grid);
       });
@@ -299,6 +301,7 @@ class Transfer {
   Columns<Scalar, column_count> columns_;
   std::vector<Scalar> scratch_;
   std::conditional_t<by_corners, CornerNodes<S>, NodalFields<S>> corners_;
+  std::conditional_t<mean_dilatation<Shape>, CellDilatation<S>, OwnDilatation> dilatation_;
   std::vector<double> partial_;
   std::vector<StepLimits<Scalar>> limits_;                ///< of every chunk
   std::vector<detail::GridStiffness<Scalar>> stiffness_;  ///< of every chunk

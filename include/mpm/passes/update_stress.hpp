@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <mpm/passes/gather.hpp>
+#include <mpm/passes/cell_dilatation.hpp>
 #include <cmath>
 #include <limits>
 
@@ -143,11 +143,13 @@ struct ChunkStrain {
 };
 
 /// Strains one particle with the nodal velocities; see update_stress.
-template <bool Move, class Body, class Nodes, class S = typename Body::SpaceType, class Scalar = typename S::Scalar>
-double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::vector<Vector<S>>& velocity, Scalar cell,
-                     Scalar time, Scalar dt, std::int64_t& bad, StepLimits<Scalar>& limits) {
+template <bool Move, class Body, class Nodes, class Dilatation, class S = typename Body::SpaceType,
+          class Scalar = typename S::Scalar>
+double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::vector<Vector<S>>& velocity,
+                     const Dilatation& dilatation, Scalar cell, Scalar time, Scalar dt, std::int64_t& bad,
+                     StepLimits<Scalar>& limits) {
   const auto stencil = make_stencil(body, p, nodes);
-  const auto L = velocity_gradient<S>(stencil, velocity, body.x(0)[p]);
+  const auto L = dilatation(p, velocity_gradient<S>(stencil, velocity, body.x(0)[p]));
   const auto result = strain(body, body.law, p, 1, L, cell, time, dt, limits);
   if (result.unsound) bad = std::min(bad, std::int64_t(p));
   if constexpr (Move) {
@@ -161,19 +163,21 @@ double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::v
 /// With Move the particle then rides the nodes, x_p += dt sum w_Ip v_I, with the very weights that strained it: those
 /// of its new domain may rest on nodes that hold next to nothing.
 ///
-/// In MUSL `velocity` is the remapped field. The work V sigma : D dt is added up in a fixed order. Returns the first
-/// particle whose volume or stress is no longer a finite positive number, or body.size(); `limits` gets those of every
-/// chunk.
-template <bool Move, class Body, class Nodes, class S = typename Body::SpaceType, class Scalar = typename S::Scalar>
+/// In MUSL `velocity` is the remapped field. `dilatation(p, L)` is L, or L with another rate of volume. The work V
+/// sigma : D dt is added up in a fixed order. Returns the first particle whose volume or stress is no longer a finite
+/// positive number, or body.size(); `limits` gets those of every chunk.
+template <bool Move, class Body, class Nodes, class Dilatation, class S = typename Body::SpaceType,
+          class Scalar = typename S::Scalar>
 std::size_t update_stress(Body& body, const ChunkList& chunks, const Nodes& nodes,
-                          const std::vector<Vector<S>>& velocity, Scalar cell, Scalar time, Scalar dt,
-                          std::vector<double>& partial, std::vector<StepLimits<Scalar>>& limits) {
+                          const std::vector<Vector<S>>& velocity, const Dilatation& dilatation, Scalar cell,
+                          Scalar time, Scalar dt, std::vector<double>& partial,
+                          std::vector<StepLimits<Scalar>>& limits) {
   limits.resize(chunk_count(body));
   return sum_work(body, chunks, partial, [&](std::size_t first, int count, std::int64_t& bad) {
     double sum = 0;
     StepLimits<Scalar> limit{.known = true};
     for (std::size_t p = first; p < first + std::size_t(count); ++p)
-      sum += update_stress<Move>(body, p, nodes, velocity, cell, time, dt, bad, limit);
+      sum += update_stress<Move>(body, p, nodes, velocity, dilatation, cell, time, dt, bad, limit);
     limits[first / chunk_size] = limit;
     return sum;
   });
