@@ -11,7 +11,7 @@ if [[ ${1-} == --help ]]; then
 ./run.sh chart ...    chart speed against accuracy of every method (./run.sh chart --help)
 ./run.sh tune ...     name the cheapest method that keeps an error, and run it (./run.sh tune --help)
 ./run.sh atlas ...    where each method stands and where it falls: pictures and a table (./run.sh atlas --help)
-./run.sh bench ...    time whole steps by method, table at the end, ./bench.json (--quick, and Google Benchmark's options)
+./run.sh bench ...    time steps and passes of every method, table at the end, bench.json (--quick, Google Benchmark's options)
 END
   exit
 fi
@@ -29,7 +29,7 @@ case ${1-} in
     ;;
   bench)
     shift
-    target=benchmark_steps folder=benchmarks packages=(libbenchmark-dev) options=(-DMPM_BUILD_BENCHMARKS=ON)
+    target=kernels folder=benchmarks packages=(libbenchmark-dev) options=(-DMPM_BUILD_BENCHMARKS=ON)
     if [[ ${1-} == --quick ]]; then
       shift
       set -- --benchmark_min_time=0.1 "$@"
