@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Build everything with warnings as errors and run all tests.
+# Build all tests with warnings as errors and run them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 

@@ -63,11 +63,7 @@ template <class Shape, class Law, class S>
 double transfer_flops(const Body<Shape, Law, S>& body, const Grid<S>& grid) {
   constexpr int d = S::dimension;
   double nodes = 0;
-  Stencil<typename S::Scalar, d, Shape::template max_nodes<S>> stencil;
-  for (std::size_t p = 0; p < body.size(); ++p) {
-    body.shape.stencil(body, p, grid, stencil);
-    nodes += stencil.size();
-  }
+  for (std::size_t p = 0; p < body.size(); ++p) nodes += make_stencil(body, p, grid).size();
   constexpr double weights = (d + 1) * (d - 1), to_nodes = 2 + 2 * d + 2 * d * d, back = 4 * d + 2 * d * d;
   return (weights + to_nodes + back) * nodes / double(body.size());
 }

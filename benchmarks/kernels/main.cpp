@@ -73,12 +73,13 @@ class Reporter : public benchmark::ConsoleReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
-      const auto layout = run.run_name.args.find("layout:");
-      if (layout != 0 || run.run_type != Run::RT_Iteration) continue;
-      const std::string name = run.run_name.function_name;
+      const std::string& arguments = run.run_name.args;
+      const bool step = arguments.starts_with("layout:"), blast = arguments.starts_with("threads:");
+      if (!(step || blast) || run.run_type != Run::RT_Iteration) continue;
+      const std::string name = run.run_name.function_name + (blast ? ", " + arguments : "");
       if (rows_.find(name) == rows_.end()) order_.push_back(name);
       Row& row = rows_[name];
-      double& rate = row.rate[run.run_name.args == "layout:1"];
+      double& rate = row.rate[arguments == "layout:1"];
       rate = std::max(rate, double(run.counters.at("items_per_second")));
       row.bytes = run.counters.at("bytes"), row.flops = run.counters.at("flops");
     }
