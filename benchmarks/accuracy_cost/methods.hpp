@@ -10,7 +10,7 @@ template <class Shape>
 std::string shape_name() {
   if constexpr (std::is_same_v<Shape, mpm::Linear>) return "Linear";
   if constexpr (std::is_same_v<Shape, mpm::Ugimp>) return "Ugimp";
-  if constexpr (std::is_same_v<Shape, mpm::MeanDilatation<mpm::Ugimp>>) return "MeanDilatation<Ugimp>";
+  if constexpr (std::is_same_v<Shape, mpm::MeanDilatation<mpm::Ugimp>>) return "Ugimp with mean dilatation";
   if constexpr (std::is_same_v<Shape, mpm::Cpgimp>) return "Cpgimp";
   if constexpr (std::is_same_v<Shape, mpm::QuadraticBspline>) return "QuadraticBspline";
   if constexpr (std::is_same_v<Shape, mpm::CubicBspline>) return "CubicBspline";

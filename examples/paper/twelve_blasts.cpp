@@ -71,12 +71,12 @@ void draw_lengths(const States& s, Report& report) {
               "in-situ stress, MPa",
               "crack length, mm",
               {{"reach", {}, {}, marks}, {"along x", {}, {}, marks}, {"along y", {}, {}, marks}},
-              "set yrange [0:*]\n"};
+              "set yrange [0:*]\nset key bottom left\n"};
   Axes ratios{"40 MPa along y, k times that along x",
               "k",
               "crack length, mm",
               {{"along x", {}, {}, marks}, {"along y", {}, {}, marks}},
-              "set yrange [0:*]\n"};
+              "set yrange [0:*]\nset key bottom left\n"};
   for (const double level : equiaxial_levels) {
     const auto& m = s.at({level, level});
     for (auto& curve : levels.curves) curve.x.push_back(level);

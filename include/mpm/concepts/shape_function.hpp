@@ -35,6 +35,8 @@ enum class DomainMotion {
 ///     `continues_linearly`, if nodes beyond a face stand for the continuation of those within;
 ///   - optional `static constexpr bool tangles = true`: its domains follow every shear, which a flow makes without end;
 ///     not for fluids in more than one dimension;
+///   - optional `static constexpr bool mean_dilatation = true`: its particles share the rate of volume of their cell
+///     (see MeanDilatation);
 ///   - optional `check(body, grid)`: throws Error before the first step when its parameters are not fit for work.
 template <class S>
 concept ShapeFunction = std::default_initializable<S> && requires(S shape, std::span<const std::uint32_t> order) {
