@@ -42,5 +42,4 @@ esac
 "$root/cmake/setup-packages.sh" g++ cmake ninja-build libeigen3-dev libboost-dev libboost-program-options-dev \
   libhdf5-dev gnuplot-nox "${packages[@]}"
 (cd "$root" && cmake --preset release "${options[@]}" && cmake --build --preset release --target "$target")
-export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}  # many short parallel regions: spinning threads get in the way
 exec "$root/build/release/$folder/$target" "$@"
