@@ -42,4 +42,5 @@ esac
 "$root/cmake/setup-packages.sh" g++ cmake ninja-build libeigen3-dev libboost-dev libboost-program-options-dev \
   libhdf5-dev gnuplot-nox "${packages[@]}"
 (cd "$root" && cmake --preset release "${options[@]}" && cmake --build --preset release --target "$target")
+export GOMP_SPINCOUNT=${GOMP_SPINCOUNT:-3000}  # many short parallel regions: threads wait some 10 us before they sleep
 exec "$root/build/release/$folder/$target" "$@"
