@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <program/exit_code.hpp>
+#include <program/threads.hpp>
 #include <iostream>
 #include "programs.hpp"
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 // Speed against accuracy. Exit code 1 also where the budget was missed.
 int main(int argc, char** argv) {
-#ifdef _OPENMP
-  omp_set_num_threads(1);  // costs are core-seconds
-#endif
+  program::use_threads(1);  // costs are core-seconds
   return program::exit_code([&] {
     using accuracy_cost::Options;
     const Options options = accuracy_cost::parse(argc, argv);

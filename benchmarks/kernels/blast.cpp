@@ -7,7 +7,7 @@ namespace {
 
 /// The default scene's rock under its in-situ stress, charge and air, from the blast on: 100 us, block of 3 m.
 void blast(benchmark::State& state) {
-  const Threads threads(int(state.range(0)));
+  program::use_threads(int(state.range(0)));
   using Rock = blasting::CrackingRock;
   blasting::Scene scene;
   const auto rock = blasting::make_rock<Rock>(scene);

@@ -4,27 +4,12 @@
 #include "step.hpp"
 #include <cstdio>
 #include <map>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 // Times whole steps, locating and sorting included, by method, against the plain scalar loop of scalar_ugimp.hpp in the
 // same run, then the passes between particles and grid (passes.cpp), each beside its plain form. Ends with the table of
 // steps. items_per_second is particle-steps a second; `bytes` what a particle holds; `flops` what its transfers ask
 // for.
 namespace kernels {
-
-Threads::Threads([[maybe_unused]] int count) {
-#ifdef _OPENMP
-  before_ = omp_get_max_threads();
-  omp_set_num_threads(count);
-#endif
-}
-Threads::~Threads() {
-#ifdef _OPENMP
-  omp_set_num_threads(before_);
-#endif
-}
 
 namespace {
 

@@ -8,13 +8,12 @@ namespace {
 
 template <class Shape, class S>
 struct Pass {
-  Threads threads;
   Body<Shape, Hypoelastic, S> body;
   Grid<S> grid;
   Transfer<Body<Shape, Hypoelastic, S>, Usl> transfer;
 
-  explicit Pass(const benchmark::State& state)
-      : threads(int(state.range(3))), body(block_of(state)), grid(Vector<S>::Zero(), 1, cells_of(state)) {
+  explicit Pass(const benchmark::State& state) : body(block_of(state)), grid(Vector<S>::Zero(), 1, cells_of(state)) {
+    program::use_threads(int(state.range(3)));
     transfer.locate(body, grid);
     if (Layout(state.range(2)) != Layout::drifted) return;
     for (std::size_t p = 0; p < body.size(); ++p) body.x(0)[p] += .2;

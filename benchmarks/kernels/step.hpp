@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "block.hpp"
+#include <program/threads.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -23,21 +24,9 @@ struct Case {
   std::vector<Layout> layouts{Layout::regular, Layout::jittered};
 };
 
-/// Threads of a benchmark while it runs.
-class Threads {
- public:
-  explicit Threads(int count);
-  ~Threads();
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
- private:
-  int before_;
-};
-
 template <class Shape, class Integrator, class S, class Law>
 void step(benchmark::State& state, const Case<Law, Integrator>& c) {
-  const Threads threads(c.threads);
+  program::use_threads(c.threads);
   const int cells = cells_for<S>(c.per_edge, c.particles);
   std::array<int, S::dimension> count;
   count.fill(cells + 4);

@@ -4,6 +4,7 @@
 #include "run.hpp"
 #include "scene.hpp"
 #include <program/exit_code.hpp>
+#include <program/threads.hpp>
 #include <iostream>
 
 // One hole blasted in pre-stressed rock (Xiao et al. 2024, Processes 12, 1048).
@@ -17,7 +18,7 @@ int main(int argc, char** argv) {
     const auto scene = blasting::read_scene(options);
     blasting::validate(scene);
     blasting::check_laws(scene);
-    blasting::use_threads(options.threads);
+    program::use_threads(options.threads);
     if (!options.dry_run) {
       blasting::prepare_output(options.output, options.force);
       blasting::write_scene(scene, options.output / "scene.info");

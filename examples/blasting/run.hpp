@@ -5,11 +5,6 @@
 
 namespace blasting {
 
-/// Lets the steps use so many threads; 0 leaves it to OpenMP. Without OpenMP there is one.
-void use_threads(int threads);
-/// How many they use.
-int threads_in_use();
-
 /// Runs a valid scene from the in-situ stress to the end of the blast and writes its results into options.output, or
 /// only says what it would cost (--dry-run). Throws mpm::Error when a stage fails; what was written stays.
 void run(const Scene& scene, const Options& options);

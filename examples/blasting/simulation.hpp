@@ -8,6 +8,7 @@
 #include <mpm/analysis/state_hash.hpp>
 #include <mpm/energy_guard.hpp>
 #include <mpm/relax.hpp>
+#include <program/threads.hpp>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -176,7 +177,7 @@ void run_with(const Scene& scene, const Options& options) {
   const detail::Cost cost;
   const auto& folder = options.output;
   Summary summary;
-  summary.threads = threads_in_use();
+  summary.threads = program::threads_in_use();
   try {
     auto rock = detail::relax_rock<Rock>(scene, summary);
     if (const auto capped = scatter_strength(rock, scene); capped > 0)

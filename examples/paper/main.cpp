@@ -3,6 +3,7 @@
 #include "report.hpp"
 #include <blasting/run.hpp>
 #include <program/exit_code.hpp>
+#include <program/threads.hpp>
 #include <cstdio>
 #include <iostream>
 
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     paper::prepare_folder(options);
-    blasting::use_threads(options.threads);
+    program::use_threads(options.threads);
     paper::Report report{options.output, options.quick};
     for (const auto& part : {paper::kirsch_curves, paper::initial_stress, paper::cavity_histories, paper::marble_slab,
                              paper::twelve_blasts, paper::energy_ledger, paper::rock_readings, paper::economy,

@@ -5,6 +5,8 @@
 #include <mpm/passes/stable_step.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <sstream>
 #include <string>
 
@@ -17,8 +19,10 @@ struct Moment {
   double time;  ///< s
 };
 
+/// Throws the Error of particle `p`: its body, position, what is wrong with it, when, and the remedy.
 template <class B>
-[[noreturn]] void fail(const B& b, std::size_t p, const Moment& now, const std::string& what, const char* remedy) {
+[[noreturn]] void fail_particle(const B& b, std::size_t p, const Moment& now, const std::string& what,
+                                const char* remedy) {
   std::ostringstream text;
   text << "particle " << p << " of " << b.name << " at (";
   for (int d = 0; d < B::dimension; ++d) text << (d ? ", " : "") << b.x(d)[p];
@@ -69,11 +73,11 @@ template <class B, class S>
   const auto margin = grid.cell() / 2;
   for (int d = 0; d < S::dimension; ++d)
     if (!(b.x(d)[p] >= grid.origin()[d] - margin && b.x(d)[p] <= grid.upper(d) + margin))
-      fail(b, p, now, "has left the grid", "enlarge the grid, or close its faces with walls");
+      fail_particle(b, p, now, "has left the grid", "enlarge the grid, or close its faces with walls");
   if (!(b.volume()[p] > 0))
-    fail(b, p, now, "has a volume that is not positive", "lower `safety`, or refine the grid there");
-  fail(b, p, now, "has a velocity that is no finite number",
-       "look at its stress in the last snapshot, and lower `safety`");
+    fail_particle(b, p, now, "has a volume that is not positive", "lower `safety`, or refine the grid there");
+  fail_particle(b, p, now, "has a velocity that is no finite number",
+                "look at its stress in the last snapshot, and lower `safety`");
 }
 
 /// Throws Error on the first particle whose stiffness is no finite positive number.
@@ -82,8 +86,8 @@ void blame_stiffness(const B& b, const Moment& now) {
   for (std::size_t p = 0; p < b.size(); ++p) {
     const auto moduli = b.law.tangent(b.state(p), b.relative_volume(p));
     if (!std::isfinite(moduli.longitudinal + moduli.shear) || !(moduli.longitudinal >= 0))
-      fail(b, p, now, "allows no stable step, since its stiffness is no finite positive number",
-           "look at its stress in the last snapshot, and lower `safety`");
+      fail_particle(b, p, now, "allows no stable step, since its stiffness is no finite positive number",
+                    "look at its stress in the last snapshot, and lower `safety`");
   }
 }
 
@@ -107,7 +111,7 @@ template <class B, class S>
     what << "has a stiffness of " << b.law.tangent(b.state(p), b.relative_volume(p)).longitudinal
          << " Pa and touches the grid as it does";
   }
-  fail(b, p, now, what.str(), remedy);
+  fail_particle(b, p, now, what.str(), remedy);
 }
 
 }  // namespace mpm

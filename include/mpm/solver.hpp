@@ -201,8 +201,8 @@ class Solver {
     for_each_body([&](auto& b, auto& transfer) {
       const std::size_t bad = transfer.template scatter<what>(b, grid, grid.velocity, body_force, time);
       if (bad < b.size())
-        fail(b, bad, now(), "has a stress that is no finite number",
-             "lower `safety`, or look at the parameters of its law");
+        fail_particle(b, bad, now(), "has a stress that is no finite number",
+                      "lower `safety`, or look at the parameters of its law");
     });
     if constexpr (gives_momentum<what>) divide_by_mass(grid.velocity);
   }
@@ -269,16 +269,16 @@ class Solver {
     for_each_body([&](auto& b, auto& transfer) {
       const std::size_t bad = transfer.template update<Blend, strained, Move>(b, grid, integrator, Scalar(time), dt);
       if (bad < b.size())
-        fail(b, bad, now(), "has a volume or stress that is no longer a finite number",
-             "lower `safety`, or refine the grid there");
+        fail_particle(b, bad, now(), "has a volume or stress that is no longer a finite number",
+                      "lower `safety`, or refine the grid there");
     });
   }
   void convect_corners(Scalar dt) {
     for_each_body([&](auto& b, auto& transfer) {
       constexpr Strained strained = own_strain_velocity ? Strained::by_second : Strained::by_first;
       if (const std::size_t p = transfer.template convect<strained>(b, dt); p < b.size())
-        fail(b, p, now(), "has a domain turned inside out",
-             "refine the grid there, lower `safety`, or take a shape that cannot invert, such as mpm::Cpdi");
+        fail_particle(b, p, now(), "has a domain turned inside out",
+                      "refine the grid there, lower `safety`, or take a shape that cannot invert, such as mpm::Cpdi");
     });
   }
   Scalar stable_step() {

@@ -32,23 +32,10 @@ double cook(const Cook& o) {
   using S = PlaneStrain<>;
   constexpr double young = 1e6, density = 1, load = 1;
   const double spacing = o.cell / o.per_edge, reference = (o.poisson < .4 ? 21.94 : 18.52) * load / young;
-  const int columns = int(std::lround(48 / spacing)), rows = columns;
-  const auto at = [&](double i, double j) {
-    const double s = i / columns, t = j / rows;
-    return Vector<S>{48 * s, 44 * s + t * (44 - 28 * s)};
-  };
   using Law = problems::WithOrigin<Hypoelastic>;
   Body<Shape, Law, S> panel{"panel", {}, {{.density = density, .young = young, .poisson = o.poisson}}};
-  if constexpr (requires { panel.shape.corner; }) {
-    for (int j = 0; j <= rows; ++j)
-      for (int i = 0; i <= columns; ++i) panel.shape.corner.push_back({at(i, j)[0], at(i, j)[1]});
-    for (unsigned j = 0; j < unsigned(rows); ++j)
-      for (unsigned i = 0, w = unsigned(columns) + 1; i < unsigned(columns); ++i)
-        add_quad(panel, {j * w + i, j * w + i + 1, (j + 1) * w + i + 1, (j + 1) * w + i});
-  } else {
-    fill(panel, {0, 0}, {48, 60}, spacing,
-         [](const Vector<S>& x) { return x[1] > 44. / 48 * x[0] && x[1] < 44 + 16. / 48 * x[0]; });
-  }
+  fill(panel, {0, 0}, {48, 60}, spacing,
+       [](const Vector<S>& x) { return x[1] > 44. / 48 * x[0] && x[1] < 44 + 16. / 48 * x[0]; });
   const double last = 48 - spacing;
   double mass = 0;
   for (std::size_t p = 0; p < panel.size(); ++p) {
