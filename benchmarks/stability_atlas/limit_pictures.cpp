@@ -26,10 +26,46 @@ std::vector<std::string> words(const List& list, const F& word) {
   return found;
 }
 
+void draw(const std::vector<GrowthMap>& maps, const std::filesystem::path& png) {
+  const auto integrators = words(maps, [](const GrowthMap& m) { return m.integrator; });
+  const std::size_t columns = maps.size() / integrators.size();
+  const program::Gnuplot gnuplot(png);
+  std::string panels;
+  for (std::size_t n = 0; n < maps.size(); ++n) {
+    const GrowthMap& m = maps[n];
+    std::string cells, line;
+    for (std::size_t i = 0; i < m.offsets.size(); ++i) {
+      for (std::size_t k = 0; k < m.steps.size(); ++k)
+        cells += number(m.offsets[i]) + ' ' + number(m.steps[k]) + ' ' +
+                 number(std::clamp(std::log10(m.growth[i * m.steps.size() + k]), 0., 1.)) + '\n';
+      line += number(m.offsets[i]) + ' ' + number(m.certain[i]) + '\n';
+    }
+    const std::string name = std::to_string(n);
+    mpm::io::replace_file(gnuplot.folder() / ("cells" + name), cells);
+    mpm::io::replace_file(gnuplot.folder() / ("line" + name), line);
+    const bool left = n % columns == 0, bottom = n / columns + 1 == integrators.size();
+    panels += "set title " + gnuplot_string(m.integrator + ", " + std::to_string(m.per_edge) + " an edge") +
+              "\nset ylabel " + gnuplot_string(left ? "step, h/c" : "") + "\nset xlabel " +
+              gnuplot_string(bottom ? "offset, h" : "") + "\nplot 'cells" + name + "' with image notitle, 'line" +
+              name + "' with lines linewidth 3 linecolor rgb 'black' notitle\n";
+  }
+  gnuplot.draw(
+      int(230 * columns + 60), int(240 * integrators.size() + 40),
+      "set multiplot layout " + std::to_string(integrators.size()) + ',' + std::to_string(columns) + " title " +
+          gnuplot_string(maps.front().shape + ", " + maps.front().space +
+                         ": white stands, yellow to red grows; black: the certain step") +
+          " font ',15'" +
+          "\nset xrange [0:1]\nset yrange [0:2.45]\nset xtics .5\nset ytics .5\nset cbrange [0:1]\nset cbtics .5\n"
+          "set palette defined (0 'white', 0.02 '#FFE9A0', 0.3 '#E69F00', 1 '#8B1A00')\n"
+          "unset colorbox\nset tmargin 2.5\nset bmargin 3\nset lmargin 8\nset rmargin 1\n" +
+          panels + "unset multiplot\n");
+}
+
 }  // namespace
 
 void write(const std::vector<GrowthMap>& maps, const std::filesystem::path& file) {
-  mpm::io::CsvWriter out(file, {{"shape", "1"},
+  mpm::io::CsvWriter out(file, {{"space", "1"},
+                                {"shape", "1"},
                                 {"integrator", "1"},
                                 {"per edge", "1"},
                                 {"offset", "h"},
@@ -39,7 +75,7 @@ void write(const std::vector<GrowthMap>& maps, const std::filesystem::path& file
   for (const GrowthMap& map : maps)
     for (std::size_t i = 0; i < map.offsets.size(); ++i)
       for (std::size_t k = 0; k < map.steps.size(); ++k)
-        out.row(std::vector<std::string>{map.shape, map.integrator, std::to_string(map.per_edge),
+        out.row(std::vector<std::string>{map.space, map.shape, map.integrator, std::to_string(map.per_edge),
                                          number(map.offsets[i]), number(map.steps[k]), number(map.certain[i]),
                                          number(map.growth[i * map.steps.size() + k])});
 }
@@ -58,39 +94,13 @@ void write(const std::vector<Limit>& limits, const std::filesystem::path& file) 
                                      number(l.limit), number(l.nodal), number(l.share)});
 }
 
-bool draw(const std::vector<GrowthMap>& all, const std::string& shape, const std::filesystem::path& png) {
-  std::vector<GrowthMap> maps;
-  std::ranges::copy_if(all, std::back_inserter(maps), [&](const GrowthMap& m) { return m.shape == shape; });
-  const auto integrators = words(maps, [](const GrowthMap& m) { return m.integrator; });
-  const std::size_t columns = maps.size() / integrators.size();
-  const program::Gnuplot gnuplot(png);
-  std::string panels;
-  for (std::size_t n = 0; n < maps.size(); ++n) {
-    const GrowthMap& m = maps[n];
-    std::string cells, line;
-    for (std::size_t i = 0; i < m.offsets.size(); ++i) {
-      for (std::size_t k = 0; k < m.steps.size(); ++k)
-        cells += number(m.offsets[i]) + ' ' + number(m.steps[k]) + ' ' +
-                 number(std::clamp(std::log10(m.growth[i * m.steps.size() + k]), 0., 1.)) + '\n';
-      line += number(m.offsets[i]) + ' ' + number(m.certain[i]) + '\n';
-    }
-    const std::string name = std::to_string(n);
-    mpm::io::replace_file(gnuplot.folder() / ("cells" + name), cells);
-    mpm::io::replace_file(gnuplot.folder() / ("line" + name), line);
-    const bool left = n % columns == 0, bottom = n / columns + 1 == integrators.size();
-    panels += "set title " + gnuplot_string(m.integrator + ", " + std::to_string(m.per_edge) + " a cell") +
-              "\nset ylabel " + gnuplot_string(left ? "step, h/c" : "") + "\nset xlabel " +
-              gnuplot_string(bottom ? "offset, h" : "") + "\nplot 'cells" + name + "' with image notitle, 'line" +
-              name + "' with lines linewidth 3 linecolor rgb 'black' notitle\n";
+void draw_each(const std::vector<GrowthMap>& maps, const std::filesystem::path& folder) {
+  const auto picture = [](const GrowthMap& m) { return "growth_" + m.space + '_' + m.shape + ".png"; };
+  for (const std::string& name : words(maps, picture)) {
+    std::vector<GrowthMap> drawn;
+    std::ranges::copy_if(maps, std::back_inserter(drawn), [&](const GrowthMap& m) { return picture(m) == name; });
+    draw(drawn, folder / name);
   }
-  return gnuplot.draw(
-      int(230 * columns + 60), 760,
-      "set multiplot layout " + std::to_string(integrators.size()) + ',' + std::to_string(columns) + " title " +
-          gnuplot_string(shape + ": white stands, yellow to red grows; black: the certain step") + " font ',15'" +
-          "\nset xrange [0:1]\nset yrange [0:2.5]\nset xtics .5\nset ytics .5\nset cbrange [0:1]\nset cbtics .5\n"
-          "set palette defined (0 'white', 0.02 '#FFE9A0', 0.3 '#E69F00', 1 '#8B1A00')\n"
-          "unset colorbox\nset tmargin 2.5\nset bmargin 3\nset lmargin 8\nset rmargin 1\n" +
-          panels + "unset multiplot\n");
 }
 
 bool draw(const std::vector<Limit>& all, const std::filesystem::path& png) {

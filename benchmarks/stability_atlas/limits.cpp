@@ -18,9 +18,14 @@ Fill block(const FillMethod& method, int per_edge, int cells, double offset) {
   return fill;
 }
 
-GrowthMap map_of(const FillMethod& method, int per_edge, bool quick) {
-  GrowthMap map{method.shape, method.integrator, per_edge};
-  const int offsets = quick ? 6 : 12, steps = quick ? 12 : 24;
+/// As long as the matrices of its steps are handled at once.
+int cells_of_block(const FillMethod& method, int per_edge) {
+  if (method.dimension == 1) return per_edge > 8 ? 3 : 4;
+  return per_edge == 1 ? 4 : per_edge == 2 ? 3 : 2;
+}
+
+GrowthMap map_of(const FillMethod& method, int per_edge, int offsets, int steps) {
+  GrowthMap map{method.space, method.shape, method.integrator, per_edge};
   for (int k = 0; k < offsets; ++k) map.offsets.push_back((k + .5) / offsets);
   for (int k = 1; k <= steps; ++k) map.steps.push_back(2.4 * k / steps);
   map.growth.resize(map.offsets.size() * map.steps.size());
@@ -28,7 +33,8 @@ GrowthMap map_of(const FillMethod& method, int per_edge, bool quick) {
 #pragma omp parallel for schedule(dynamic)
   for (int i = 0; i < offsets; ++i) {
     Random random{1};
-    const auto step = method.linear(block(method, per_edge, per_edge > 8 ? 3 : 4, map.offsets[std::size_t(i)]), random);
+    const auto step =
+        method.linear(block(method, per_edge, cells_of_block(method, per_edge), map.offsets[std::size_t(i)]), random);
     map.certain[std::size_t(i)] = step->certain();
     for (int k = 0; k < steps; ++k)
       map.growth[std::size_t(i * steps + k)] = growth_rate(step->matrix(map.steps[std::size_t(k)]), 200);
@@ -62,9 +68,13 @@ Limit limit_of(const FillMethod& method, int per_edge, bool quick) {
 std::vector<GrowthMap> growth_maps(bool quick) {
   std::vector<GrowthMap> maps;
   for (const FillMethod& method : fill_methods()) {
-    if (method.space != "1-D" || std::ranges::find(times, method.integrator) == times.end()) continue;
-    for (const int n : quick ? std::vector{1, 2, 4} : std::vector{1, 2, 4, 8, 20})
-      maps.push_back(map_of(method, n, quick));
+    if (!method.linear) continue;
+    if (method.space == "1-D")
+      for (const int n : quick ? std::vector{1, 2, 4} : std::vector{1, 2, 4, 8, 20})
+        maps.push_back(map_of(method, n, quick ? 6 : 12, quick ? 12 : 24));
+    if (method.space == "2-D")
+      for (const int n : quick ? std::vector{1, 2} : std::vector{1, 2, 4})
+        maps.push_back(map_of(method, n, quick ? 4 : 8, quick ? 8 : 16));
   }
   return maps;
 }

@@ -6,9 +6,9 @@
 
 namespace mpm::atlas {
 
-/// Growth a step of blocks of one method on a line, by offset from a node and step.
+/// Growth a step of blocks of one method, by offset from a node and step.
 struct GrowthMap {
-  std::string shape, integrator;
+  std::string space, shape, integrator;
   int per_edge = 0;
   std::vector<double> offsets{};  ///< cells
   std::vector<double> steps{};    ///< h/c
@@ -26,16 +26,16 @@ struct Limit {
   double share = 0;    ///< certain over limit, mean of the offsets
 };
 
+/// On lines and in planes.
 std::vector<GrowthMap> growth_maps(bool quick);
 std::vector<Limit> limits(bool quick);
 
 void write(const std::vector<GrowthMap>& maps, const std::filesystem::path& file);
 void write(const std::vector<Limit>& limits, const std::filesystem::path& file);
 
-/// The maps of one shape, a panel an integrator and number of particles, with the certain step on them. False if
-/// gnuplot is missing.
-bool draw(const std::vector<GrowthMap>& maps, const std::string& shape, const std::filesystem::path& png);
-/// The limits on a line by particles an edge, a panel an integrator.
+/// A picture growth_SPACE_SHAPE.png each, a panel an integrator and number of particles, with the certain step on them.
+void draw_each(const std::vector<GrowthMap>& maps, const std::filesystem::path& folder);
+/// The limits on a line by particles an edge, a panel an integrator. False if gnuplot is missing.
 bool draw(const std::vector<Limit>& limits, const std::filesystem::path& png);
 
 /// The limits at two particles an edge as a Markdown table.

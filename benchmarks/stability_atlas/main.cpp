@@ -70,8 +70,7 @@ void run(const Options& options) {
   say("limits");
   const auto maps = growth_maps(options.quick);
   write(maps, folder / "growth.csv");
-  for (const char* shape : {"Linear", "Ugimp", "Cpgimp", "Cpdi", "QuadraticBspline", "CubicBspline"})
-    draw(maps, shape, folder / ("growth_" + std::string(shape) + ".png"));
+  draw_each(maps, folder);
   say("growth maps");
   mpm::io::replace_file(folder / "atlas.md", markdown(sheets) + "\nSteps of blocks of two particles a cell edge:\n\n" +
                                                  markdown(all_limits));

@@ -39,9 +39,9 @@ double energy_of(const Body& charge, const Scene& scene) {
   return multiplicity(scene) * sum;
 }
 
-/// Relaxes the rock; the report goes into the summary.
+/// Stage 1: relaxes the rock; the report goes into the summary.
 template <class Rock>
-mpm::Body<CpdiQuad, Rock, Space> relax_rock(const Scene& scene, Summary& summary) {
+mpm::Body<CpdiQuad, Rock, Space> relax_rock(const Scene& scene, const std::filesystem::path& folder, Summary& summary) {
   auto solver = relaxation_stage<Rock>(scene);
   if (scene.stress.horizontal == 0 && scene.stress.vertical == 0) {  // at rest; a relaxation would chase round-off
     summary.relaxation = {0, 0};
@@ -49,12 +49,20 @@ mpm::Body<CpdiQuad, Rock, Space> relax_rock(const Scene& scene, Summary& summary
   }
   Progress progress("relaxation");
   const std::int64_t particles = static_cast<std::int64_t>(solver.body().size());
-  const auto report = mpm::relax(
-      solver, {.tolerance = scene.relaxation.tolerance, .max_steps = scene.relaxation.max_steps},
-      [&](const auto& s) { progress.update(s.steps, s.time, s.time / double(s.steps), s.steps * particles); });
+  LastGood<decltype(solver)> last_good(scene, folder);
+  last_good.keep(solver);
+  try {
+    const auto report = mpm::relax(
+        solver, {.tolerance = scene.relaxation.tolerance, .max_steps = scene.relaxation.max_steps}, [&](const auto& s) {
+          progress.update(s.steps, s.time, s.time / double(s.steps), s.steps * particles);
+          last_good.keep(s);
+        });
+    summary.relaxation = {report.unbalanced_force, report.kinetic_ratio};
+  } catch (const mpm::Error& error) {
+    last_good.leave(solver, error);
+  }
   progress.finish();
   summary.steps.relaxation = solver.steps;
-  summary.relaxation = {report.unbalanced_force, report.kinetic_ratio};
   return std::move(solver.body());
 }
 
@@ -179,7 +187,7 @@ void run_with(const Scene& scene, const Options& options) {
   Summary summary;
   summary.threads = program::threads_in_use();
   try {
-    auto rock = detail::relax_rock<Rock>(scene, summary);
+    auto rock = detail::relax_rock<Rock>(scene, folder, summary);
     if (const auto capped = scatter_strength(rock, scene); capped > 0)
       std::fprintf(stderr,
                    "warning: the tensile strength of %zu of %zu rock particles is capped at %.1f MPa, where they would "
