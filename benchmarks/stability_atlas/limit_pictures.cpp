@@ -44,20 +44,19 @@ void draw(const std::vector<GrowthMap>& maps, const std::filesystem::path& png) 
     mpm::io::replace_file(gnuplot.folder() / ("cells" + name), cells);
     mpm::io::replace_file(gnuplot.folder() / ("line" + name), line);
     const bool left = n % columns == 0, bottom = n / columns + 1 == integrators.size();
-    panels += "set title " + gnuplot_string(m.integrator + ", " + std::to_string(m.per_edge) + " an edge") +
-              "\nset ylabel " + gnuplot_string(left ? "step, h/c" : "") + "\nset xlabel " +
-              gnuplot_string(bottom ? "offset, h" : "") + "\nplot 'cells" + name + "' with image notitle, 'line" +
-              name + "' with lines linewidth 3 linecolor rgb 'black' notitle\n";
+    panels += "set title " + gnuplot_string(n < columns ? std::to_string(m.per_edge) + " an edge" : "") +
+              "\nset ylabel " + (left ? gnuplot_string(m.integrator) + ".\"\\n\".'step, h/c'" : "''") +
+              "\nset xlabel " + gnuplot_string(bottom ? "offset, h" : "") + "\nplot 'cells" + name +
+              "' with image notitle, 'line" + name + "' with lines linewidth 3 linecolor rgb 'black' notitle\n";
   }
   gnuplot.draw(
-      int(230 * columns + 60), int(240 * integrators.size() + 40),
+      int(230 * columns + 60), int(220 * integrators.size() + 50),
       "set multiplot layout " + std::to_string(integrators.size()) + ',' + std::to_string(columns) + " title " +
-          gnuplot_string(maps.front().shape + ", " + maps.front().space +
-                         ": white stands, yellow to red grows; black: the certain step") +
+          gnuplot_string(maps.front().shape + ", " + maps.front().space + " (colour grows; line: certain step)") +
           " font ',15'" +
           "\nset xrange [0:1]\nset yrange [0:2.45]\nset xtics .5\nset ytics .5\nset cbrange [0:1]\nset cbtics .5\n"
           "set palette defined (0 'white', 0.02 '#FFE9A0', 0.3 '#E69F00', 1 '#8B1A00')\n"
-          "unset colorbox\nset tmargin 2.5\nset bmargin 3\nset lmargin 8\nset rmargin 1\n" +
+          "unset colorbox\nset tmargin 2.5\nset bmargin 3\nset lmargin 9\nset rmargin 2\n" +
           panels + "unset multiplot\n");
 }
 
