@@ -26,6 +26,7 @@ const std::vector<Variant>& variants() {
       {"programmed", "burn lit from the axis", [](Scene& s) { s.charge.burn = blasting::Burn::programmed; }},
       {"far-field", "relaxed from the far field", [](Scene& s) { s.stress.start = blasting::StressStart::far_field; }},
       {"tolerance", "relaxed to 1e-4 only", [](Scene& s) { s.relaxation.tolerance = 1e-4; }},
+      {"rest-off", "rock at rest worked on too", [](Scene& s) { s.step.rest_speed = 0; }},
       {"usl", "stress updated last", [](Scene& s) { s.step.update = blasting::StressUpdate::usl; }},
       {"seed-4", "another seed", [](Scene& s) { s.seed = 4; }},
   };
