@@ -3,20 +3,24 @@
 #include "recorder.hpp"
 #include <mpm/error.hpp>
 #include <mpm/io/text.hpp>
+#include <chrono>
 
 namespace blasting {
 
-/// A copy of the particles that is a few steps old, for when a run has to stop: the step that fails has already changed
+/// A copy of the particles that is a little old, for when a run has to stop: the step that fails has already changed
 /// them.
 template <class Solver>
 class LastGood {
  public:
   LastGood(const Scene& scene, const std::filesystem::path& folder) : scene_(scene), stem_(folder / "last_good") {}
 
-  /// Copies them every 50 steps: 50 times less often than a step touches them.
+  /// Copies them whenever the last copy took less than a hundredth of the time since. (A step costs less than a copy
+  /// while most of the rock rests, so that no number of steps between two would do.)
   void keep(const Solver& solver) {
-    if (solver.steps % 50 != 0) return;
+    const auto begin = Clock::now();
+    if (begin - kept_ < 100 * cost_) return;
     bodies_ = solver.bodies, time_ = solver.time, steps_ = solver.steps;
+    kept_ = Clock::now(), cost_ = kept_ - begin;
   }
   /// Writes them for ParaView and throws the error on, with where they are.
   [[noreturn]] void leave(Solver& solver, const mpm::Error& error) {
@@ -28,11 +32,14 @@ class LastGood {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   const Scene& scene_;
   std::filesystem::path stem_;
   typename Solver::BodyList bodies_{};
   double time_ = 0;
   std::int64_t steps_ = 0;
+  Clock::time_point kept_{};  ///< end of the last copy
+  Clock::duration cost_{};    ///< of it
 };
 
 }  // namespace blasting
