@@ -30,8 +30,9 @@ class Distortion {
     constexpr bool by_corners = Body::Shape::domain_motion == DomainMotion::corners;
     if constexpr (by_corners)
       for (auto& c : body.shape.corner) {
-        const Vector<S> x = jittered(moved(turned({c[0], c[1]})));
-        c = {x[0], x[1]};
+        // Before it is stretched, so that no quadrilateral turns inside out.
+        const Vector<S> x = moved(turned(shifted({c[0], c[1]})));
+        c = {std::abs(x[0]), std::abs(x[1])};
       }
     const Tensor<double> F = gradient();
     const double box = determinant(F) / std::pow(fill_.per_edge, D);
@@ -66,11 +67,12 @@ class Distortion {
     for (int d = 0; d < D; ++d) x[d] += fill_.margin[std::size_t(d)] + fill_.offset[std::size_t(d)] - lowest_[d];
     return x;
   }
-  Vector<S> jittered(Vector<S> x) const {
+  Vector<S> shifted(Vector<S> x) const {
     std::uniform_real_distribution<> shift(-fill_.jitter / fill_.per_edge, fill_.jitter / fill_.per_edge);
-    for (int d = 0; d < D; ++d) x[d] = std::abs(x[d] + shift(random_));
+    for (int d = 0; d < D; ++d) x[d] += shift(random_);
     return x;
   }
+  Vector<S> jittered(const Vector<S>& x) const { return shifted(x).cwiseAbs(); }
 
   const Fill& fill_;
   Random& random_;
