@@ -7,8 +7,8 @@
 namespace kernels {
 namespace {
 
-/// The default scene's rock under its in-situ stress, charge and air, from the blast on: 100 us, block of 3 m. With the
-/// guards that the program sets on it: of energy, and the copy of the last good state.
+/// The default scene's rock under its in-situ stress, charge and air, from the blast on: 100 us, block of 3 m;
+/// `guarded`: with the guards that the program sets on it, of energy and the copy of the last good state.
 template <bool guarded>
 void blast(benchmark::State& state) {
   program::use_threads(int(state.range(0)));
