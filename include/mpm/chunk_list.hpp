@@ -30,6 +30,7 @@ class ChunkList {
 
   std::size_t entries() const { return entries_; }
   std::size_t size() const { return first_.size(); }
+  bool worth_threads() const { return mpm::worth_threads(size() * chunk_size); }
   /// First entry of the k-th chunk of the list, and how many entries it has.
   std::size_t first(std::size_t k) const { return first_[k]; }
   int count(std::size_t k) const { return int(std::min<std::size_t>(chunk_size, entries_ - first_[k])); }
@@ -38,7 +39,7 @@ class ChunkList {
   template <class F>
   void for_each(const F& f) const {
     const std::int64_t chunks = std::int64_t(size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads())
     for (std::int64_t k = 0; k < chunks; ++k) f(first(std::size_t(k)), count(std::size_t(k)));
   }
   /// Calls f(entry) for every entry of its chunks, in parallel; f may write to its own entry only.
@@ -53,7 +54,7 @@ class ChunkList {
   std::size_t least(const F& f) const {
     std::int64_t least = std::int64_t(entries_);
     const std::int64_t chunks = std::int64_t(size());
-#pragma omp parallel for schedule(static) reduction(min : least)
+#pragma omp parallel for schedule(static) reduction(min : least) if (worth_threads())
     for (std::int64_t k = 0; k < chunks; ++k)
       least = std::min(least, std::int64_t(f(first(std::size_t(k)), count(std::size_t(k)))));
     return std::size_t(least);

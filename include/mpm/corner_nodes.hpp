@@ -52,7 +52,7 @@ class CornerNodes : public NodalFields<S> {
     std::int64_t strays = strip_begin_.empty();
     stride_ = grid.stride(1);
     const std::int64_t chunks = std::int64_t(chunks_.size());
-#pragma omp parallel for schedule(static) reduction(+ : strays)
+#pragma omp parallel for schedule(static) reduction(+ : strays) if (chunks_.worth_threads())
     for (std::int64_t k = 0; k < chunks; ++k) {
       const std::size_t first = chunks_.first(std::size_t(k));
       for (std::size_t c = first; c < first + std::size_t(chunks_.count(std::size_t(k))); ++c) {
@@ -85,7 +85,7 @@ class CornerNodes : public NodalFields<S> {
   template <class F>
   void for_each_strip(const F& f) const {
     const int strips = int(strip_begin_.size()) - 1;
-#pragma omp parallel
+#pragma omp parallel if (chunks_.worth_threads())
     for (int colour = 0; colour < 2; ++colour) {
 #pragma omp for schedule(dynamic, 1)
       for (int s = colour; s < strips; s += 2)

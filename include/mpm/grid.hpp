@@ -143,7 +143,7 @@ class Grid : public NodalFields<S> {
   template <class F>
   void for_each_active_block(const F& f) const {
     const int count = int(active_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(active_.size() * nodes_per_block))
     for (int a = 0; a < count; ++a) f(active_[a]);
   }
   /// Calls f(block) for every active block, one by one.
@@ -170,7 +170,7 @@ class Grid : public NodalFields<S> {
   double sum_active(const F& f) const {
     partial_.resize(active_.size());
     const int count = int(active_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(active_.size() * nodes_per_block))
     for (int a = 0; a < count; ++a) {
       double sum = 0;
       for_each_node(active_[a], [&](int node) { sum += double(f(node)); });

@@ -199,7 +199,8 @@ class Solver {
   template <What what>
   void scatter() {
     for_each_body([&](auto& b, auto& transfer) {
-      const std::size_t bad = transfer.template scatter<what>(b, grid, grid.velocity, body_force, time);
+      const std::size_t bad =
+          transfer.template scatter<what, gives_mass<what>>(b, grid, grid.velocity, body_force, time);
       if (bad < b.size())
         fail_particle(b, bad, now(), "has a stress that is no finite number",
                       "lower `safety`, or look at the parameters of its law");

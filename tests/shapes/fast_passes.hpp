@@ -188,6 +188,10 @@ TYPED_TEST_P(FastPasses, FindTheStableStepThatThePlainOneFinds) {
   const Real plain = stable_step(rock, ChunkList(rock.size()), this->grid), fast = passes.stable_step(rock, this->grid);
   EXPECT_LE(fast, plain * Real(1 + 1e-5));
   EXPECT_GE(fast, plain * Real(.85)) << "the largest terms of a chunk need not meet in one particle";
+
+  passes.locate(rock, this->grid);
+  passes.template scatter<What::momentum_and_forces, true>(rock, this->grid, this->grid.velocity, this->weight, 0);
+  EXPECT_NEAR(passes.stable_step(rock, this->grid) / fast, 1, 1e-5) << "seen on the way of another pass";
 }
 
 REGISTER_TYPED_TEST_SUITE_P(FastPasses, GiveTheNodesWhatThePlainOnesGive, GiveInPartsWhatTheyGiveAtOnce,

@@ -69,10 +69,11 @@ TEST(SameBits, BlastOfMixedBodies) {
     Body<CpdiQuad, Rock> rock{"rock", {}, granite_paper()};
     fill(rock, {0, 0}, {.4, .4}, h / 2, [](const auto& x) { return std::hypot(x[0] - .2, x[1] - .2) > .04; });
     Body<Ugimp, JonesWilkinsLee> charge{"charge", {}, petn_1260()};
-    fill(charge, {0, 0}, {.4, .4}, h / 4, disc(.2, .2, .03));
+    fill(charge, {0, 0}, {.4, .4}, h / 10, disc(.2, .2, .03));
     Body<Ugimp, PolynomialEos> air{"air", {}, mpm::air()};
-    fill(air, {0, 0}, {.4, .4}, h / 4,
+    fill(air, {0, 0}, {.4, .4}, h / 10,
          [](const auto& x) { return std::abs(std::hypot(x[0] - .2, x[1] - .2) - .035) < .005; });
+    EXPECT_TRUE(worth_threads(rock.size()) && worth_threads(charge.size()) && worth_threads(air.size()));
     Solver<Shapes, Laws, Musl> solver{Grid<PlaneStrain<>>{{0, 0}, h, {40, 40}}, std::move(rock), std::move(charge),
                                       std::move(air)};
     solver.boundary.face(0, 0) = Rollers<PlaneStrain<>>{};
@@ -105,9 +106,10 @@ template <class Shape, class Integrator>
 void expect_same_bits_of_discs(const Integrator& integrator) {
   const auto make = [&] {
     Body<Shape, NeoHookean> discs{"discs", {}, {.density = 1000, .young = 1000, .poisson = .3}};
-    fill(discs, {0, 0}, {1, 1}, .025, disc(.3, .3, .2), {1, 1});
-    fill(discs, {0, 0}, {1, 1}, .025, disc(.7, .7, .2), {-1, -1});
-    Solver<Shape, NeoHookean, Integrator> solver{Grid<PlaneStrain<>>{{0, 0}, .05, {20, 20}}, std::move(discs)};
+    fill(discs, {0, 0}, {1, 1}, .01, disc(.3, .3, .2), {1, 1});
+    fill(discs, {0, 0}, {1, 1}, .01, disc(.7, .7, .2), {-1, -1});
+    EXPECT_TRUE(worth_threads(discs.size()));
+    Solver<Shape, NeoHookean, Integrator> solver{Grid<PlaneStrain<>>{{0, 0}, .02, {50, 50}}, std::move(discs)};
     solver.integrator = integrator;
     return solver;
   };

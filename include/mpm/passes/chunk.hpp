@@ -140,15 +140,18 @@ struct ChunkWeights : ChunkAnchors<S> {
   alignas(64) Scalar weight[D][stored][chunk_size];
   alignas(64) Scalar slope[D][stored][chunk_size];
 
-  /// Returns whether modes serve all of the `size` particles.
-  template <class Body>
-  [[gnu::always_inline]] bool compute(const Body& body, std::size_t begin, int size, const Grid<S>& grid) {
+  /// Returns whether modes serve all of the `size` particles. Calls seen(l, modes, serve) for every register of them.
+  template <class Body, class F>
+  [[gnu::always_inline]] bool compute(const Body& body, std::size_t begin, int size, const Grid<S>& grid,
+                                      const F& seen) {
     using V = typename Body::Lane;
     bool fit = true;
     for (int l = 0; l < size; l += V::size) {
       const std::size_t p = begin + std::size_t(l);
       std::array<AxisModes<V, K>, D> modes;
-      fit = body.shape.modes(body, p, grid, coordinates(body, p, grid), modes) && fit;
+      const bool serve = body.shape.modes(body, p, grid, coordinates(body, p, grid), modes);
+      seen(l, modes, serve);
+      fit = fit && serve;
       typename V::Integers linear{};
       for (int d = 0; d < D; ++d) {
         const auto& m = modes[std::size_t(d)];
@@ -158,6 +161,10 @@ struct ChunkWeights : ChunkAnchors<S> {
       }
     }
     return fit;
+  }
+  template <class Body>
+  [[gnu::always_inline]] bool compute(const Body& body, std::size_t begin, int size, const Grid<S>& grid) {
+    return compute(body, begin, size, grid, [](auto&&...) {});
   }
   /// The masses m of a register of particles by the modes of the first axis, and, from these, their sums by mode of the
   /// plane, a word a row.

@@ -150,7 +150,7 @@ template <class Body, class S>
 bool find_places(const Body& body, const Grid<S>& grid, ParticleOrder& order) {
   const std::int64_t strips = std::int64_t(order.strip_begin.size()) - 1;
   std::int64_t lost = 0, out_of_order = 0;
-#pragma omp parallel for schedule(dynamic, 1) reduction(+ : lost, out_of_order)
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : lost, out_of_order) if (order.chunks.worth_threads())
   for (std::int64_t s = 0; s < strips; ++s) {
     order.for_each_run(std::size_t(s), [&](std::size_t begin, std::size_t end) {
       if constexpr (has_fixed_stencil<typename Body::Shape>) {
@@ -175,7 +175,7 @@ void sort_particles(Body& body, const Grid<S>& grid, ParticleOrder& order) {
   const std::uint32_t wide = std::uint32_t(grid.block_count()) * grid.nodes_per_block;
   order.key.resize(n);
   const std::int64_t count = std::int64_t(n);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(n))
   for (std::int64_t p = 0; p < count; ++p) {
     const Place place = place_of(body, std::size_t(p), grid);
     const int strip = int(place.key / grid.nodes_per_block) / grid.blocks_per_strip();
@@ -259,19 +259,25 @@ Relocated locate(Body& body, Grid<S>& grid, ParticleOrder& order, bool settled =
 
 /// Calls f(begin, end) for the particles of every strip that are worked on, such that no two threads touch one node:
 /// even strips at once, then odd ones. The order is fixed, so sums have the same bits at any thread count. Returns the
-/// least of what f returns.
+/// least of what f returns. f(begin, end, most) may also raise `most`.
 template <class F>
-std::size_t for_each_strip(const ParticleOrder& order, const F& f) {
+std::size_t for_each_strip(const ParticleOrder& order, const F& f, double& most) {
   const int strips = int(order.strip_begin.size()) - 1;
   std::size_t least = std::numeric_limits<std::size_t>::max();
-#pragma omp parallel reduction(min : least)
+#pragma omp parallel reduction(min : least) reduction(max : most) if (order.chunks.worth_threads())
   for (int colour = 0; colour < 2; ++colour) {
 #pragma omp for schedule(dynamic, 1)
     for (int s = colour; s < strips; s += 2)
       order.for_each_run(std::size_t(s),
-                         [&](std::size_t begin, std::size_t end) { least = std::min(least, f(begin, end)); });
+                         [&](std::size_t begin, std::size_t end) { least = std::min(least, f(begin, end, most)); });
   }
   return least;
+}
+template <class F>
+std::size_t for_each_strip(const ParticleOrder& order, const F& f) {
+  double none = 0;
+  return for_each_strip(
+      order, [&](std::size_t begin, std::size_t end, double&) { return f(begin, end); }, none);
 }
 
 /// Calls f(p) for every particle that is worked on, strip by strip, then for the wide particles one by one.

@@ -3,6 +3,7 @@
 #include <mpm/body_force.hpp>
 #include <mpm/passes/domain_weights.hpp>
 #include <mpm/passes/scatter.hpp>
+#include <mpm/passes/stable_step.hpp>
 
 // The passes of scatter.hpp for shape functions in modes.
 namespace mpm::lanes {
@@ -103,33 +104,53 @@ struct Given {
 }  // namespace detail
 
 /// m_I += w m and (m v)_I += w m v, f_I += -V sigma grad w + w m b, or both at once. Returns the first particle whose
-/// forces come from a stress that is no finite number, or body.size() or more.
-template <What what, class Body, class Force, class S = typename Body::SpaceType>
+/// forces come from a stress that is no finite number, or body.size() or more. Where it `measures`, `inverse_square` is
+/// raised to 1/dt^2 of the largest stable step by `limits`, a chunk each, to infinity if these are not known.
+template <What what, bool measures, class Body, class Force, class S = typename Body::SpaceType>
 std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid, std::vector<Vector<S>>& momentum,
-                    const Force& body_force, double time) {
+                    const Force& body_force, double time, const std::vector<StepLimits<typename S::Scalar>>& limits,
+                    double& inverse_square) {
   using Scalar = typename S::Scalar;
+  using V = typename Body::Lane;
   using Record = detail::ScatterRecord<S>;
   using Word = detail::Word<Scalar>;
   constexpr int D = S::dimension, K = Body::Shape::axis_nodes, count = shapes::power(K, D);
   constexpr bool force = gives_forces<what>, mass = gives_mass<what>, velocity = gives_momentum<what>;
   constexpr bool continued = detail::continues_linearly<typename Body::Shape>;
 
-  return for_each_strip(order, [&](std::size_t begin, std::size_t end) {
+  const auto give = [&](std::size_t begin, std::size_t end, double& most) {
     using Weights = typename detail::WeightsOf<Body>::Type;
     Weights w;
     detail::Given<S, Weights> given;
     std::size_t bad = std::numeric_limits<std::size_t>::max();
-    for (std::size_t first = begin; first < end; first += chunk_size) {
-      const int size = int(std::min<std::size_t>(chunk_size, end - first));
-      if (!w.compute(body, first, size, grid)) {
+    V needed(0);
+    for (std::size_t first = begin, next_chunk; first < end; first = next_chunk) {
+      next_chunk = std::min(end, first / chunk_size * chunk_size + chunk_size);
+      const int size = int(next_chunk - first);
+      bool fit;
+      if constexpr (measures) {
+        detail::GridStiffness<V> stiffness;
+        fit = w.compute(
+            body, first, size, grid, [&](int l, const auto& modes, bool serve) __attribute__((always_inline)) {
+              detail::raise_stiffness(
+                  stiffness, body, first + std::size_t(l), size - l, grid, [&](auto& b) __attribute__((always_inline)) {
+                    return serve && detail::register_stiffness<Body>(modes, grid, b);
+                  });
+            });
+        const auto& limit = limits[first / chunk_size];
+        needed = larger_or_nan(needed, limit.known ? detail::inverse_square_step<V>(limit, stiffness, grid.cell())
+                                                   : V(std::numeric_limits<Scalar>::infinity()));
+      } else {
+        fit = w.compute(body, first, size, grid);
+      }
+      if (!fit) {
         for (std::size_t p = first; p < first + std::size_t(size); ++p)
           bad = std::min(bad, scatter_plainly<what>(body, p, grid, momentum, body_force, time));
         continue;
       }
       if constexpr (force)
-        for (int l = 0; l < size; l += Body::Lane::size)
-          bad = std::min(bad, first_unsound<typename Body::Lane>(body, first + std::size_t(l),
-                                                                 std::min(size - l, Body::Lane::size)));
+        for (int l = 0; l < size; l += V::size)
+          bad = std::min(bad, first_unsound<V>(body, first + std::size_t(l), std::min(size - l, V::size)));
       given.template compute<what>(body, first, size, grid, w, body_force, time);
       for (int p = 0, next; p < size; p = next) {
         next = w.run_end(p, size);
@@ -168,8 +189,10 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
         }
       }
     }
+    if constexpr (measures) most = std::max(most, double(detail::largest_or_infinite(needed)));
     return bad;
-  });
+  };
+  return for_each_strip(order, give, inverse_square);
 }
 
 /// The twin of mpm::scatter_interpolated: out_I += sum_p w_Ip m_p sum_J w_Jp in_J.

@@ -79,7 +79,7 @@ template <class Scalar, class F>
 Scalar least_step(const ChunkList& chunks, const F& f) {
   Scalar limit = std::numeric_limits<Scalar>::max();
   const std::int64_t count = std::int64_t(chunks.size());
-#pragma omp parallel for schedule(static) reduction(min : limit)
+#pragma omp parallel for schedule(static) reduction(min : limit) if (chunks.worth_threads())
   for (std::int64_t k = 0; k < count; ++k)
     limit = std::min(limit, f(chunks.first(std::size_t(k)), chunks.count(std::size_t(k))));
   return limit;
@@ -103,31 +103,41 @@ namespace detail {
 template <class V>
 struct GridStiffness {
   V shear{0}, lambda{0};
+  V unsound{0};  ///< NaN where one of them was no finite number
 
-  template <class S>
-  void raise(const std::array<V, S::dimension>& b, const V& radius) {
+  template <class S, class B>
+  void raise(const std::array<B, S::dimension>& b, const V& radius) {
     V sum(0), most(0);
-    for (const V& k : b) sum += k, most = max(most, k);
+    for (const B& k : b) sum += V(k), most = max(most, V(k));
     if constexpr (S::hoop) {
       const V hoop = V(1) / (radius * radius);
       sum += hoop, most = max(most, hoop);
     }
-    shear = larger_or_nan(shear, S::dimension == 1 ? V(2) * most : max(V(2) * most, sum));
-    lambda = larger_or_nan(lambda, sum);
+    shear = max(shear, S::dimension == 1 ? V(2) * most : max(V(2) * most, sum));
+    lambda = max(lambda, sum);
+    unsound += V(0) * sum;
   }
 };
 
-/// sum w'^2/w of one axis, 1/cell^2, from its modes.
-template <class V, int K>
-V axis_stiffness(const AxisModes<V, K>& m) {
+/// sum w'^2/w along each axis, 1/cell^2, from its modes.
+template <class V, int K, std::size_t D>
+[[gnu::always_inline]] inline void axis_stiffness(const std::array<AxisModes<V, K>, D>& modes, std::array<V, D>& b) {
   const V least(negligible_weight<typename V::Scalar>);
-  const auto part = [&](const V& w, const V& d) { return select(w > least, d * d / max(w, least), V(0)); };
-  V sum(0), weight(0), slope(0);
-  for (std::size_t k = 0; k < m.weight.size(); ++k) {
-    sum += part(m.weight[k], m.slope[k]);
-    weight += m.weight[k], slope += m.slope[k];
-  }
-  return K == 2 ? sum : sum + slope * slope / (V(1) - weight);  // the anchor's
+  shapes::unrolled<int(D)>([&](auto d) __attribute__((always_inline)) {
+    const AxisModes<V, K>& m = modes[d];
+    V weight(0), slope(0), over(0), under(1);  // a fraction: a division takes longer than the rest
+    const auto add = [&](const V& w, const V& dw) __attribute__((always_inline)) {
+      const V sound = max(w, least);
+      over = over * sound + select(w > least, dw * dw * under, V(0));
+      under *= sound;
+    };
+    shapes::unrolled<AxisModes<V, K>::stored>([&](auto k) __attribute__((always_inline)) {
+      add(m.weight[k], m.slope[k]);
+      weight += m.weight[k], slope += m.slope[k];
+    });
+    if constexpr (K > 2) add(V(1) - weight, slope);  // the anchor's
+    b[d] = over / under;
+  });
 }
 
 /// Eigenvalues of G_p, 1/cell^2, of a domain in modes; see grid_stiffness.
@@ -146,22 +156,27 @@ template <class V>
   return {mean + radius, mean - radius};
 }
 
-/// What the grid is to a register of particles, 1/cell^2, as in grid_stiffness. Returns false where modes do not serve.
+/// What the grid is to a register of particles, 1/cell^2, as in grid_stiffness, from their modes. Returns false where
+/// these do not serve.
+template <class Body, class S, class V, int K>
+[[gnu::always_inline]] inline bool register_stiffness(const std::array<AxisModes<V, K>, S::dimension>& modes,
+                                                      const Grid<S>& grid, std::array<V, S::dimension>& b) {
+  if constexpr (continues_linearly<typename Body::Shape>)
+    for (int d = 0; d < S::dimension; ++d) {
+      const auto low = modes[std::size_t(d)].anchor - shapes::nodes_before<K>;
+      if (any_of((low < 0) | (low > grid.cells(d) + 1 - K))) return false;
+    }
+  axis_stiffness(modes, b);
+  return true;
+}
 template <class Body, class S, class V>
 [[gnu::always_inline]] inline bool register_stiffness(const Body& body, std::size_t p, const Grid<S>& grid,
                                                       std::array<V, S::dimension>& b) {
   using Shape = typename Body::Shape;
   if constexpr (HasModes<Body>) {
-    constexpr int K = Shape::axis_nodes;
-    std::array<AxisModes<V, K>, S::dimension> modes;
-    if (!body.shape.modes(body, p, grid, coordinates(body, p, grid), modes)) return false;
-    if constexpr (continues_linearly<Shape>)
-      for (int d = 0; d < S::dimension; ++d) {
-        const auto low = modes[std::size_t(d)].anchor - shapes::nodes_before<K>;
-        if (any_of((low < 0) | (low > grid.cells(d) + 1 - K))) return false;
-      }
-    for (std::size_t d = 0; d < b.size(); ++d) b[d] = axis_stiffness<V, K>(modes[d]);
-    return true;
+    std::array<AxisModes<V, Shape::axis_nodes>, S::dimension> modes;
+    return body.shape.modes(body, p, grid, coordinates(body, p, grid), modes) &&
+           register_stiffness<Body>(modes, grid, b);
   } else if constexpr (HasDomainModes<Body>) {
     DomainModes<V> modes;
     const bool fit = body.shape.domain_modes(body, p, grid, modes);
@@ -176,31 +191,49 @@ template <class Body, class S, class V>
     return false;
   }
 }
-
-/// Stiffness of the grid to a chunk of particles, from their modes, or from their stencils where modes do not serve.
-template <class Body, class S, class Scalar = typename S::Scalar>
-GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int count, const Grid<S>& grid) {
-  GridStiffness<Scalar> stiffness;
-  const auto plainly = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p)
-      stiffness.template raise<S>(grid_stiffness<S>(make_stencil(body, p, grid)), body.x(0)[p]);
-  };
-  using V = typename Body::Lane;
-  const V per_square(grid.inverse_cell() * grid.inverse_cell());
-  GridStiffness<V> by_lane;
+/// Raises `stiffness` to that of a register of particles, of which `valid` are meant: from `find(b)`, as above, or from
+/// their stencils where it returns false.
+template <class Body, class S, class V, class F>
+[[gnu::always_inline]] inline void raise_stiffness(GridStiffness<V>& stiffness, const Body& body, std::size_t p,
+                                                   int valid, const Grid<S>& grid, const F& find) {
+  std::array<V, S::dimension> b;
+  if (valid >= V::size && find(b)) [[likely]] {
+    for (V& k : b) k *= V(grid.inverse_cell() * grid.inverse_cell());
+    stiffness.template raise<S>(b, V::load(body.x(0) + p));
+  } else {
+    for (std::size_t q = p; q < p + std::size_t(std::min(V::size, valid)); ++q)
+      stiffness.template raise<S>(grid_stiffness<S>(make_stencil(body, q, grid)), V(body.x(0)[q]));
+  }
+}
+/// Stiffness of the grid to a chunk of particles.
+template <class Body, class S, class V = typename Body::Lane>
+GridStiffness<V> chunk_stiffness(const Body& body, std::size_t first, int count, const Grid<S>& grid) {
+  GridStiffness<V> stiffness;
   for (int l = 0; l < count; l += V::size) {
     const std::size_t p = first + std::size_t(l);
-    std::array<V, S::dimension> b;
-    if (count - l < V::size || !register_stiffness(body, p, grid, b)) {
-      plainly(p, p + std::size_t(std::min(V::size, count - l)));
-      continue;
-    }
-    for (V& k : b) k *= per_square;
-    by_lane.template raise<S>(b, V::load(body.x(0) + p));
+    raise_stiffness(stiffness, body, p, count - l, grid, [&](auto& b) { return register_stiffness(body, p, grid, b); });
   }
-  stiffness.shear = larger_or_nan(stiffness.shear, largest(by_lane.shear));
-  stiffness.lambda = larger_or_nan(stiffness.lambda, largest(by_lane.lambda));
   return stiffness;
+}
+template <class T, int N>
+GridStiffness<T> over_lanes(const GridStiffness<Lanes<T, N>>& b) {
+  return {largest(b.shear), largest(b.lambda), total(b.unsound)};
+}
+
+/// 1/dt^2 of the largest stable step of a chunk of particles, by lane, from its limits and the stiffness of the grid to
+/// it: Irons' bound, abs(grad v) dt < 0.1 and abs(v) dt < h / 2. NaN if there is none.
+template <class V, class B, class Scalar = typename V::Scalar>
+V inverse_square_step(const StepLimits<Scalar>& l, const GridStiffness<B>& b, Scalar cell) {
+  const Scalar pace = 2 * l.speed / cell;
+  return larger_or_nan(V(Scalar(0.25)) * (V(l.shear) * V(b.shear) + V(l.lambda) * V(b.lambda)) + V(b.unsound),
+                       V(larger_or_nan(100 * l.rate, pace * pace)));
+}
+
+/// The largest of such, of which infinity stands for NaN.
+template <class V>
+auto largest_or_infinite(const V& a) {
+  const auto q = largest(a);
+  return q < std::numeric_limits<decltype(q)>::infinity() ? q : std::numeric_limits<decltype(q)>::infinity();
 }
 
 }  // namespace detail
@@ -211,26 +244,27 @@ GridStiffness<Scalar> chunk_stiffness(const Body& body, std::size_t first, int c
 template <class Body, class S, class Stiffness, class Scalar = typename S::Scalar>
 Scalar stable_step(const Body& body, const ChunkList& chunks, const Grid<S>& grid,
                    const std::vector<StepLimits<Scalar>>& limits, const Stiffness& stiffness) {
-  Scalar elastic = 0, rate = 0, speed = 0, plain = std::numeric_limits<Scalar>::max();
+  using V = typename Body::Lane;
+  Scalar inverse_square = std::numeric_limits<Scalar>::min(), plain = std::numeric_limits<Scalar>::max();
   const std::int64_t count = std::int64_t(chunks.size());
-#pragma omp parallel for schedule(static) reduction(max : elastic, rate, speed) reduction(min : plain)
-  for (std::int64_t k = 0; k < count; ++k) {
-    const std::size_t first = chunks.first(std::size_t(k));
-    const int size = chunks.count(std::size_t(k));
-    const StepLimits<Scalar>& l = limits[first / chunk_size];
-    if (!l.known) {
-      for (std::size_t p = first; p < first + std::size_t(size); ++p)
-        plain = std::min(plain, stable_step(body, p, grid));
-      continue;
+#pragma omp parallel reduction(max : inverse_square) reduction(min : plain) if (chunks.worth_threads())
+  {
+    V own(0);
+#pragma omp for schedule(static) nowait
+    for (std::int64_t k = 0; k < count; ++k) {
+      const std::size_t first = chunks.first(std::size_t(k));
+      const int size = chunks.count(std::size_t(k));
+      const StepLimits<Scalar>& l = limits[first / chunk_size];
+      if (l.known) {
+        own = larger_or_nan(own, detail::inverse_square_step<V>(l, stiffness(first, size), grid.cell()));
+      } else {
+        for (std::size_t p = first; p < first + std::size_t(size); ++p)
+          plain = std::min(plain, stable_step(body, p, grid));
+      }
     }
-    const auto b = stiffness(first, size);
-    const Scalar stiff = l.shear * b.shear + l.lambda * b.lambda;
-    if (!std::isfinite(stiff + l.rate + l.speed)) plain = 0;
-    elastic = std::max(elastic, stiff), rate = std::max(rate, l.rate), speed = std::max(speed, l.speed);
+    inverse_square = std::max(inverse_square, detail::largest_or_infinite(own));
   }
-  constexpr Scalar tiny = std::numeric_limits<Scalar>::min();
-  return std::min({plain, 2 / std::sqrt(std::max(elastic, tiny)), Scalar(0.1) / std::sqrt(std::max(rate, tiny)),
-                   grid.cell() / 2 / std::max(speed, tiny)});
+  return std::min(plain, 1 / std::sqrt(inverse_square));
 }
 
 }  // namespace mpm

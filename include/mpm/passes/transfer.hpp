@@ -8,6 +8,13 @@
 
 namespace mpm {
 
+namespace detail {
+/// In place of an integrator for passes that leave the particles' velocities: they are the same for all.
+struct LeftAlone {
+  explicit LeftAlone(const auto&) {}
+};
+}  // namespace detail
+
 /// The passes between one body and the grid: straight, or by way of the body's own corners where its domains have them.
 /// `nodes(grid)` is what the particles talk to. Holds the particle columns of an integrator that has its own.
 template <class Body, class IntegratorT>
@@ -35,6 +42,8 @@ class Transfer {
   /// particle only just touches a node.
   static constexpr bool in_modes =
       (HasModes<Body> || HasDomainModes<Body>)&&column_count == 0 && !mean_dilatation<Shape>;
+  /// Weights along axes tell a scatter at once how stiff the grid is to the particles.
+  static constexpr bool sees_stiffness = in_modes && HasModes<Body> && IntegratorT::step_interval == 1;
   static constexpr bool corners_in_lanes = std::is_same_v<Shape, CpdiQuad> && std::is_same_v<Scalar, double>;
 
   static constexpr bool domains_change = Shape::domain_motion != DomainMotion::rigid;
@@ -47,6 +56,7 @@ class Transfer {
   /// as much as their strips leave room for.
   void locate(Body& body, Grid<S>& grid) {
     columns_.resize(body.size());
+    inverse_square_step_ = unknown_;
     const bool settled =
         may_settle && limits_.size() == chunk_count(body) && strayed_ < Scalar(detail::slack<Shape>) * grid.cell();
     if (!settled) strayed_ = 0;
@@ -94,8 +104,9 @@ class Transfer {
   }
 
   /// Gives mass, momentum or forces of the particles to the grid, and the pressure on the surface that corners may
-  /// have: m_I += w m, momentum_I += w m v, f_I += -V sigma grad w + w m b.
-  template <What what, BodyForce<Body> Force>
+  /// have: m_I += w m, momentum_I += w m v, f_I += -V sigma grad w + w m b. A pass that `measures` may find the stable
+  /// step on its way.
+  template <What what, bool measures = false, BodyForce<Body> Force>
   std::size_t scatter(const Body& body, Grid<S>& grid, std::vector<Vector<S>>& momentum, const Force& body_force,
                       double time) {
     if constexpr (column_count > 0 && gives_momentum<what>) {
@@ -108,7 +119,8 @@ class Transfer {
     } else if constexpr (by_corners) {
       return scatter_by_corners<what>(body, grid, momentum, body_force, time);
     } else {
-      return scatter_to<what>(body, grid, momentum, body_force, time);
+      constexpr bool finds_step = measures && sees_stiffness;
+      return scatter_to<what, finds_step>(body, grid, momentum, body_force, time);
     }
   }
   /// The way back: velocities from the nodes as the integrator blends them (`Blend`), strain and stress, and positions
@@ -116,6 +128,7 @@ class Transfer {
   /// or stress is no longer a finite positive number, or body.size().
   template <bool Blend, Strained strained, bool Move>
   std::size_t update(Body& body, const Grid<S>& grid, const IntegratorT& integrator, Scalar time, Scalar dt) {
+    inverse_square_step_ = unknown_;
     constexpr bool second = Blend || strained == Strained::by_second;
     if constexpr (column_count > 0 && Blend) IntegratorT::gather_columns(body, order_.chunks, grid, columns_);
     const auto& own = nodes(grid);
@@ -130,12 +143,13 @@ class Transfer {
       if constexpr (strained == Strained::by_second) corners_.gather(grid.strain_velocity, corners_.strain_velocity);
     }
     const auto& other = !second ? own.velocity : Blend ? own.increment : own.strain_velocity;
+    const std::conditional_t<Blend, const IntegratorT&, detail::LeftAlone> blend(integrator);
     std::size_t bad = body.size();
     if constexpr (corners_in_lanes) {
-      bad = lanes::update<Blend, strained>(body, order_.chunks, corners_, grid.cell(), integrator, time, dt, partial_,
+      bad = lanes::update<Blend, strained>(body, order_.chunks, corners_, grid.cell(), blend, time, dt, partial_,
                                            limits_);
     } else if constexpr (in_modes) {
-      bad = lanes::update<Blend, strained, Move>(body, order_.chunks, grid, own.velocity, other, integrator, time, dt,
+      bad = lanes::update<Blend, strained, Move>(body, order_.chunks, grid, own.velocity, other, blend, time, dt,
                                                  partial_, limits_);
     } else {
       if constexpr (Blend) gather_velocity(body, order_.chunks, own, integrator);
@@ -207,9 +221,12 @@ class Transfer {
     mpm::scatter_force_scale(body, order_, grid, scale);
   }
 
-  /// The largest stable step of the body. Domains of CPDI keep the stiffness of their stencils while they have moved by
-  /// less than a fiftieth of a cell: its weights have no kinks that would make it jump.
+  /// The largest stable step of the body, unless a scatter has just found it. Domains of CPDI keep the stiffness of
+  /// their stencils while they have moved by less than a 25th of their size: its weights have no kinks that would make
+  /// it jump.
   Scalar stable_step(const Body& body, const Grid<S>& grid) {
+    if (inverse_square_step_ < unknown_)
+      return 1 / std::sqrt(std::max(inverse_square_step_, std::numeric_limits<Scalar>::min()));
     if (IntegratorT::step_interval > 1) return mpm::stable_step(body, order_.chunks, grid);
     if constexpr (HasModes<Body> || !domains_change) {
       return mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
@@ -220,8 +237,8 @@ class Transfer {
       stiffness_.resize(limits_.size());
       return mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
         const std::size_t c = first / chunk_size;
-        if (motion_[c] > grid.cell() / 50) {
-          stiffness_[c] = detail::chunk_stiffness(body, first, count, grid);
+        if (motion_[c] > body.template particle_size<Scalar>(first) / 25) {
+          stiffness_[c] = detail::over_lanes(detail::chunk_stiffness(body, first, count, grid));
           motion_[c] = 0;
         }
         return stiffness_[c];
@@ -238,6 +255,7 @@ class Transfer {
   const Columns<Scalar, column_count>& columns() const { return columns_; }
 
  private:
+  static constexpr Scalar unknown_ = std::numeric_limits<Scalar>::infinity();
   /// How far domains may have moved or stretched in this step.
   void note_motion(const Grid<S>& grid, Scalar dt) {
     Scalar farthest = 0;
@@ -248,7 +266,7 @@ class Transfer {
     }
     strayed_ += farthest;
   }
-  template <What what, class Nodes, class Force>
+  template <What what, bool measures, class Nodes, class Force>
   std::size_t scatter_to(const Body& body, Nodes& own, std::vector<Vector<S>>& momentum, const Force& body_force,
                          double time) {
     const auto plainly = [&](std::size_t begin, std::size_t end) {
@@ -259,7 +277,9 @@ class Transfer {
     };
     std::size_t bad;
     if constexpr (in_modes) {
-      bad = lanes::scatter<what>(body, order_, own, momentum, body_force, time);
+      double inverse_square = 0;
+      bad = lanes::scatter<what, measures>(body, order_, own, momentum, body_force, time, limits_, inverse_square);
+      if (measures && order_.tail_begin() == body.size()) inverse_square_step_ = Scalar(inverse_square);
     } else {
       bad = for_each_strip(order_, plainly);
     }
@@ -283,7 +303,7 @@ class Transfer {
       corners_.for_each([&](std::size_t c) {
         corners_.mass[c] = 0, corners_.velocity[c].setZero(), corners_.increment[c].setZero();
       });
-      const std::size_t bad = scatter_to<what>(body, corners_, corners_.velocity, body_force, time);
+      const std::size_t bad = scatter_to<what, false>(body, corners_, corners_.velocity, body_force, time);
       if (loaded)
         body.shape.load_surface([&](std::size_t c, const std::array<double, 2>& f) {
           corners_.increment[c] += Vector<S>(Scalar(f[0]), Scalar(f[1]));
@@ -306,6 +326,7 @@ class Transfer {
   std::vector<StepLimits<Scalar>> limits_;                ///< of every chunk
   std::vector<detail::GridStiffness<Scalar>> stiffness_;  ///< of every chunk
   std::vector<Scalar> motion_;                            ///< of every chunk since then, m
+  Scalar inverse_square_step_ = unknown_;                 ///< 1/dt^2 of the stable step, where a scatter has found it
   Scalar strayed_ = 0;                                    ///< largest motion since the places were found, m
 };
 

@@ -109,7 +109,7 @@ template <class Body, class F>
 std::size_t sum_work(Body& body, const ChunkList& chunks, std::vector<double>& partial, const F& f) {
   partial.resize(chunks.size());
   std::int64_t bad = std::int64_t(body.size());
-#pragma omp parallel for schedule(static) reduction(min : bad)
+#pragma omp parallel for schedule(static) reduction(min : bad) if (chunks.worth_threads())
   for (std::int64_t c = 0; c < std::int64_t(partial.size()); ++c) {
     const std::size_t k = std::size_t(c);
     partial[k] = f(chunks.first(k), chunks.count(k), bad);
