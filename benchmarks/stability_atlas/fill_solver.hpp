@@ -79,20 +79,31 @@ class Distortion {
   Vector<S> lowest_ = Vector<S>::Constant(1e9), highest_ = -lowest_;
 };
 
-/// The solver of a fill at rest, with rollers at the lower faces.
-template <class Shape, class Integrator, class S>
-auto fill_solver(const Fill& f, Random& random) {
-  using BodyT = Body<Shape, Hypoelastic, S>;
-  BodyT body{"fill", {}, {.density = 1, .young = 1, .poisson = f.poisson}};
+/// The body of a fill at rest, and the grid that it stands in.
+template <class Shape, class S>
+struct FilledGrid {
+  Body<Shape, Hypoelastic, S> body;
+  Grid<S> grid;
+};
+template <class Shape, class S>
+FilledGrid<Shape, S> fill_grid(const Fill& f, Random& random) {
+  Body<Shape, Hypoelastic, S> body{"fill", {}, {.density = 1, .young = 1, .poisson = f.poisson}};
   const double spacing = 1 / f.per_edge;
   Vector<S> upper;
   for (int d = 0; d < S::dimension; ++d) upper[d] = spacing * f.count[std::size_t(d)];
   std::bernoulli_distribution kept(f.kept);
   fill(body, Vector<S>::Zero(), upper, spacing, [&](const Vector<S>&) { return kept(random); });
   if (body.size() == 0) fill(body, Vector<S>::Zero(), Vector<S>::Constant(spacing), spacing);
-  const Distortion<BodyT> distort(f, random);
+  const Distortion<Body<Shape, Hypoelastic, S>> distort(f, random);
   distort(body);
-  Solver<Shape, Hypoelastic, Integrator, S> solver{Grid<S>{Vector<S>::Zero(), 1, distort.cells()}, std::move(body)};
+  return {std::move(body), Grid<S>{Vector<S>::Zero(), 1, distort.cells()}};
+}
+
+/// Its solver, with rollers at the lower faces.
+template <class Shape, class Integrator, class S>
+auto fill_solver(const Fill& f, Random& random) {
+  auto filled = fill_grid<Shape, S>(f, random);
+  Solver<Shape, Hypoelastic, Integrator, S> solver{std::move(filled.grid), std::move(filled.body)};
   for (int d = 0; d < S::dimension; ++d) solver.boundary.face(d, 0) = Rollers<S>{};
   return solver;
 }

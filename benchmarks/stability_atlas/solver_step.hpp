@@ -9,33 +9,44 @@
 
 namespace mpm::atlas {
 
-/// The linear step of a solver of one body that rests without stress. All that a step hands on must be with the body:
-/// not for integrators with particle columns of their own (APIC), nor for those whose nodes keep velocities.
-template <class SolverT>
-class SolverStep final : public LinearStep {
+/// The numbers that a linear step maps, of particles at rest without stress: velocities and stresses, each scaled so
+/// that its square is an energy.
+template <class BodyT>
+class RestingParticles {
  public:
-  using BodyT = typename SolverT::template BodyAt<0>;
   using S = typename BodyT::SpaceType;
   static constexpr int per_particle = S::dimension + BodyT::stress_count;
 
-  /// Takes the first step, which moves nothing but brings the particles into their order.
-  explicit SolverStep(SolverT solver) : solver_(std::move(solver)) {
-    certain_ = double(solver_.step()) / double(solver_.safety);
-    solver_.safety = 1e9;
-    rest_ = solver_.body();
+  explicit RestingParticles(const BodyT& resting) : body(resting) {}
+  int size() const { return int(body.size()) * per_particle; }
+  /// Number i of `moving`, the same particles at another time.
+  void put(BodyT& moving, int i, double value) const {
+    const auto [p, k] = place(i);
+    value /= scale(p, k);
+    if (k < S::dimension) {
+      moving.v(k)[p] = value;
+    } else {
+      auto state = moving.state(p);
+      auto all = std::bit_cast<std::array<double, 6>>(state.stress);
+      all[component(k)] = value;
+      state.stress = std::bit_cast<SymmetricTensor<double>>(all);
+      moving.store(p, state);
+    }
   }
-  double certain() const override { return certain_; }
-
-  double nodal_limit() override {
-    std::vector<Vector<S>> v(solver_.grid.size());
+  double get(const BodyT& moving, int i) const {
+    const auto [p, k] = place(i);
+    if (k < S::dimension) return scale(p, k) * moving.v(k)[p];
+    return scale(p, k) * std::bit_cast<std::array<double, 6>>(moving.stress(p))[component(k)];
+  }
+  /// 2/w of the fastest mode of the nodes, of the masses that stand on the grid, by the power method.
+  double nodal_limit(const Grid<S>& grid, Box<S>& boundary) const {
+    std::vector<Vector<S>> v(grid.size());
     std::mt19937_64 random{1};
     for (auto& node : v)
       for (double& c : node) c = std::normal_distribution<>()(random);
-    solver_.body() = rest_;
-    solver_.internal_forces();  // for the nodes' masses
     double square = 0;
     for (int k = 0; k < 400; ++k) {
-      v = acceleration(v);
+      v = acceleration(v, grid, boundary);
       double norm = 0;
       for (const auto& node : v) norm = std::max(norm, node.cwiseAbs().maxCoeff());
       for (auto& node : v) node /= norm;
@@ -44,15 +55,63 @@ class SolverStep final : public LinearStep {
     return 2 / std::sqrt(square);
   }
 
+  const BodyT body;
+
+ private:
+  struct Place {
+    std::size_t p;
+    int k;
+  };
+  static Place place(int i) { return {std::size_t(i / per_particle), i % per_particle}; }
+  static std::size_t component(int k) { return std::size_t(S::stress_components[std::size_t(k - S::dimension)]); }
+  double scale(std::size_t p, int k) const {
+    if (k < S::dimension) return std::sqrt(body.mass()[p]);
+    return std::sqrt(body.volume()[p] / body.law.tangent(body.state(p), body.relative_volume(p)).longitudinal);
+  }
+  /// M^-1 K u of a field of nodal displacements.
+  std::vector<Vector<S>> acceleration(const std::vector<Vector<S>>& u, const Grid<S>& grid, Box<S>& boundary) const {
+    std::vector<Vector<S>> f(u.size(), Vector<S>::Zero());
+    const double lambda = lame_modulus(body.law.young, body.law.poisson);
+    const double mu = shear_modulus(body.law.young, body.law.poisson);
+    for (std::size_t p = 0; p < body.size(); ++p) {
+      const auto stencil = make_stencil(body, p, grid);
+      const double radius = body.x(0)[p];
+      const auto strain = symmetric(velocity_gradient<S>(stencil, u, radius));
+      const auto stress = SymmetricTensor<double>::spherical(lambda * trace(strain)) + 2 * mu * strain;
+      for (const auto& [I, w, grad] : stencil) f[I] += stress_flux<S>(stress, body.volume()[p], radius, w, grad);
+    }
+    for (std::size_t n = 0; n < f.size(); ++n)
+      if (grid.mass[n] > 0) f[n] /= grid.mass[n];
+    boundary.constrain(f, grid);
+    return f;
+  }
+};
+
+/// The linear step of a solver of one body that rests without stress. All that a step hands on must be with the body:
+/// not for integrators with particle columns of their own (APIC), nor for those whose nodes keep velocities.
+template <class SolverT>
+class SolverStep final : public LinearStep {
+ public:
+  using BodyT = typename SolverT::template BodyAt<0>;
+
+  explicit SolverStep(SolverT solver) : solver_(std::move(solver)), certain_(first_step()), rest_(solver_.body()) {}
+  double certain() const override { return certain_; }
+
+  double nodal_limit() override {
+    solver_.body() = rest_.body;
+    solver_.internal_forces();  // for the nodes' masses
+    return rest_.nodal_limit(solver_.grid, solver_.boundary);
+  }
+
   Eigen::MatrixXd matrix(double dt) override {
-    const int size = int(rest_.size()) * per_particle;
+    const int size = rest_.size();
     Eigen::MatrixXd A(size, size);
     BodyT& body = solver_.body();
     for (int j = 0; j < size; ++j) {
-      body = rest_;
-      put(body, std::size_t(j / per_particle), j % per_particle, amplitude);
+      body = rest_.body;
+      rest_.put(body, j, amplitude);
       solver_.step(dt);
-      for (int i = 0; i < size; ++i) A(i, j) = get(body, std::size_t(i / per_particle), i % per_particle) / amplitude;
+      for (int i = 0; i < size; ++i) A(i, j) = rest_.get(body, i) / amplitude;
     }
     return A;
   }
@@ -60,48 +119,16 @@ class SolverStep final : public LinearStep {
  private:
   static constexpr double amplitude = 1e-12;  // products of two of them are lost in round-off
 
-  /// M^-1 K u of a field of nodal displacements.
-  std::vector<Vector<S>> acceleration(const std::vector<Vector<S>>& u) {
-    std::vector<Vector<S>> f(u.size(), Vector<S>::Zero());
-    const double lambda = lame_modulus(rest_.law.young, rest_.law.poisson);
-    const double mu = shear_modulus(rest_.law.young, rest_.law.poisson);
-    for (std::size_t p = 0; p < rest_.size(); ++p) {
-      const auto stencil = make_stencil(rest_, p, solver_.grid);
-      const double radius = rest_.x(0)[p];
-      const auto strain = symmetric(velocity_gradient<S>(stencil, u, radius));
-      const auto stress = SymmetricTensor<double>::spherical(lambda * trace(strain)) + 2 * mu * strain;
-      for (const auto& [I, w, grad] : stencil) f[I] += stress_flux<S>(stress, rest_.volume()[p], radius, w, grad);
-    }
-    for (std::size_t n = 0; n < f.size(); ++n)
-      if (solver_.grid.mass[n] > 0) f[n] /= solver_.grid.mass[n];
-    solver_.boundary.constrain(f, solver_.grid);
-    return f;
-  }
-  double scale(std::size_t p, int k) const {
-    if (k < S::dimension) return std::sqrt(rest_.mass()[p]);
-    return std::sqrt(rest_.volume()[p] / rest_.law.tangent(rest_.state(p), rest_.relative_volume(p)).longitudinal);
-  }
-  static std::size_t component(int k) { return std::size_t(S::stress_components[std::size_t(k - S::dimension)]); }
-  void put(BodyT& body, std::size_t p, int k, double value) const {
-    value /= scale(p, k);
-    if (k < S::dimension) {
-      body.v(k)[p] = value;
-    } else {
-      auto state = body.state(p);
-      auto all = std::bit_cast<std::array<double, 6>>(state.stress);
-      all[component(k)] = value;
-      state.stress = std::bit_cast<SymmetricTensor<double>>(all);
-      body.store(p, state);
-    }
-  }
-  double get(const BodyT& body, std::size_t p, int k) const {
-    if (k < S::dimension) return scale(p, k) * body.v(k)[p];
-    return scale(p, k) * std::bit_cast<std::array<double, 6>>(body.stress(p))[component(k)];
+  /// Moves nothing, but brings the particles into their order; those after it are as long as they are asked to be.
+  double first_step() {
+    const double certain = double(solver_.step()) / double(solver_.safety);
+    solver_.safety = 1e9;
+    return certain;
   }
 
   SolverT solver_;
-  BodyT rest_;
-  double certain_ = 0;
+  double certain_;
+  RestingParticles<BodyT> rest_;
 };
 
 }  // namespace mpm::atlas
