@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "step.hpp"
 
-// The passes between particles and grid, each beside its plain form: momentum, mass and forces to the nodes; velocity,
-// strain and stress back. By number of particles, particles an edge, layout and threads.
+// The passes between particles and grid, each beside its plain form: momentum, mass and forces to the nodes, with the
+// stable step found or not; velocity, strain and stress back. By number of particles, particles an edge, layout and
+// threads.
 namespace kernels {
 namespace {
 
@@ -43,6 +44,18 @@ void scatter(benchmark::State& state) {
   Pass<Shape, S> c(state);
   for (auto _ : state)
     c.transfer.template scatter<What::momentum_and_forces>(c.body, c.grid, c.grid.velocity, UniformBodyForce<S>{}, 0);
+  c.report(state);
+}
+/// The same, and the largest stable step.
+template <class Shape, class S>
+void scatter_and_step(benchmark::State& state) {
+  Pass<Shape, S> c(state);
+  c.transfer.template update<true, Strained::by_first, true>(c.body, c.grid, Usl{}, 0, 0);
+  for (auto _ : state) {
+    c.transfer.template scatter<What::momentum_and_forces, true>(c.body, c.grid, c.grid.velocity, UniformBodyForce<S>{},
+                                                                 0);
+    benchmark::DoNotOptimize(c.transfer.stable_step(c.body, c.grid));
+  }
   c.report(state);
 }
 template <class Shape, class S>
@@ -90,6 +103,7 @@ void add_pass(const std::string& name, void (*f)(benchmark::State&)) {
 template <class Shape, class S = PlaneStrain<>>
 void add_passes_of(const std::string& shape) {
   add_pass("scatter, " + shape, scatter<Shape, S>);
+  add_pass("scatter and stable step, " + shape, scatter_and_step<Shape, S>);
   add_pass("scatter, plain, " + shape, plain_scatter<Shape, S>);
   add_pass("update, " + shape, update<Shape, S>);
   add_pass("update, plain, " + shape, plain_update<Shape, S>);
