@@ -50,6 +50,16 @@ TEST(CertainStep, NorDoThoseWithColumnsOfTheirOwn) {
   });
 }
 
+// Where a face cuts the box of a particle, its weights have their centre beside it: APIC swings round that centre.
+TEST(CertainStep, ApicStandsWhereFacesCutBoxes) {
+  for (const char* space : {"1-D", "2-D", "3-D"})
+    for (const double x : {.02, .05, .1, .2}) {
+      Random random{1};
+      const Fill fill{.per_edge = 1, .count = {1, 1, 1}, .offset = {x, x, x}, .stretch = {.45, .45, .45}};
+      EXPECT_LT(fill_method(space, "Ugimp", "APIC").run(fill, random, 1000), 5) << space << " at " << x;
+    }
+}
+
 /// Over blocks of two particles an edge at random places.
 struct Shares {
   double of_nodes = 0;  ///< mean share of Irons' step in 2/w of the nodes with lumped masses

@@ -11,7 +11,8 @@ namespace mpm {
 /// APIC, the affine particle-in-cell method (Jiang, Schroeder, Selle, Teran & Stomakhin 2015): particles take the
 /// velocity of the nodes, v_p = S v+, and remember how it varies around them, B = sum w v_I+ (x_I - x_p)^T, so that a
 /// node gets the momentum w m (v_p + C (x_I - x_p)), C = B D^-1, D = sum w (x_I - x_p)(x_I - x_p)^T. The stress is
-/// updated last.
+/// updated last. For x_p stands the centre of the weights, sum w x_I: it lies elsewhere only where a face of the grid
+/// cuts a box of uGIMP, and round x_p a particle would gain energy there.
 ///
 /// Filters what the grid cannot see, and conserves angular momentum, sum m (x_p x v_p + B : epsilon). D is taken from
 /// the stencil itself, so that every shape works: it is h^2/4 for the quadratic spline, h^2/3 for the cubic one, and
@@ -47,7 +48,7 @@ struct Apic {
                                std::vector<Vector<S>>& momentum) {
     for_each_coloured(order, [&](std::size_t p) {
       const auto stencil = make_stencil(body, p, grid);
-      const Vector<S> x = body.position(p), v = body.velocity(p);
+      const Vector<S> x = centre(stencil, grid), v = body.velocity(p);
       const auto C = affine_velocity(stencil, x, B, p, grid);
       const auto m = body.mass()[p];
       for (const auto& [I, w, grad] : stencil) {
@@ -61,10 +62,10 @@ struct Apic {
   template <class Body, class S, class ColumnsT>
   static void gather_columns(const Body& body, const ChunkList& chunks, const Grid<S>& grid, ColumnsT& B) {
     chunks.for_each_entry([&](std::size_t p) {
-      const Vector<S> x = body.position(p);
+      const auto stencil = make_stencil(body, p, grid);
+      const Vector<S> x = centre(stencil, grid);
       Matrix<S> sum = Matrix<S>::Zero();
-      for (const auto& [I, w, grad] : make_stencil(body, p, grid))
-        sum += w * grid.velocity[I] * (grid.position(I) - x).transpose();
+      for (const auto& [I, w, grad] : stencil) sum += w * grid.velocity[I] * (grid.position(I) - x).transpose();
       for (int i = 0; i < S::dimension; ++i)
         for (int j = 0; j < S::dimension; ++j) B[i * S::dimension + j][p] = sum(i, j);
     });
@@ -74,6 +75,12 @@ struct Apic {
   template <class S>
   using Matrix = Eigen::Matrix<typename S::Scalar, S::dimension, S::dimension>;
 
+  template <class Out, class S>
+  static Vector<S> centre(const Out& stencil, const Grid<S>& grid) {
+    Vector<S> x = Vector<S>::Zero();
+    for (const auto& [I, w, grad] : stencil) x += w * grid.position(I);
+    return x;
+  }
   /// C = B D^-1 of particle p, 1/s, by elimination; columns of pivots that are next to nothing are zero.
   template <class Out, class ColumnsT, class S>
   static Matrix<S> affine_velocity(const Out& stencil, const Vector<S>& x, const ColumnsT& B, std::size_t p,
