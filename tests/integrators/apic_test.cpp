@@ -49,13 +49,14 @@ double loss_of_angular_momentum(int steps) {
   return (angular_momentum(solver) - start).norm() / start.norm();
 }
 TEST(Apic, ConservesAngularMomentum) {
-  EXPECT_LT((loss_of_angular_momentum<QuadraticBspline, PlaneStrain<>>(50)), 1e-13);
-  EXPECT_LT((loss_of_angular_momentum<CubicBspline, PlaneStrain<>>(50)), 1e-13);
-  EXPECT_LT((loss_of_angular_momentum<Ugimp, PlaneStrain<>>(50)), 1e-13);
-  EXPECT_LT((loss_of_angular_momentum<Cpgimp, PlaneStrain<>>(50)), 1e-13);
-  EXPECT_LT((loss_of_angular_momentum<Cpdi, PlaneStrain<>>(50)), 1e-13);
-  EXPECT_LT((loss_of_angular_momentum<QuadraticBspline, Spatial<>>(20)), 1e-13);
-  EXPECT_LT((loss_of_angular_momentum<Ugimp, Spatial<>>(20)), 1e-13);
+  constexpr double round_off = 3e-13;  // 1e-13 is seen with cubic splines, of whose 16 weights the centre is made
+  EXPECT_LT((loss_of_angular_momentum<QuadraticBspline, PlaneStrain<>>(50)), round_off);
+  EXPECT_LT((loss_of_angular_momentum<CubicBspline, PlaneStrain<>>(50)), round_off);
+  EXPECT_LT((loss_of_angular_momentum<Ugimp, PlaneStrain<>>(50)), round_off);
+  EXPECT_LT((loss_of_angular_momentum<Cpgimp, PlaneStrain<>>(50)), round_off);
+  EXPECT_LT((loss_of_angular_momentum<Cpdi, PlaneStrain<>>(50)), round_off);
+  EXPECT_LT((loss_of_angular_momentum<QuadraticBspline, Spatial<>>(20)), round_off);
+  EXPECT_LT((loss_of_angular_momentum<Ugimp, Spatial<>>(20)), round_off);
 }
 /// The centre of a quadrilateral that is deformed does not quite ride where its velocity takes it.
 TEST(Apic, NearlyConservesAngularMomentumOfQuadrilaterals) {
