@@ -94,8 +94,9 @@ Parameters rock(Scene& s) {
 
 Parameters stages(Scene& s) {
   return {
-      {"stress.horizontal", &s.stress.horizontal, "MPa", "in-situ stress along x, compression positive", {0, 1e9}},
-      {"stress.vertical", &s.stress.vertical, "MPa", "in-situ stress along y, compression positive", {0, 1e9}},
+      {"stress.horizontal", &s.stress.horizontal, "MPa", "principal in-situ stress, compression positive", {0, 1e9}},
+      {"stress.vertical", &s.stress.vertical, "MPa", "the one across it, compression positive", {0, 1e9}},
+      {"stress.direction", &s.stress.direction, "", "direction of stress.horizontal, degrees from x", {-180, 180}},
       {"stress.start", Choice(s.stress.start, {"kirsch", "far_field"}), "", "stress field the relaxation starts from"},
       {"relaxation.tolerance",
        &s.relaxation.tolerance,
@@ -165,6 +166,9 @@ void check_symmetry(const Scene& s) {
       {"hole.x", s.hole.x}, {"hole.y", s.hole.y}, {"charge.x", s.charge.x}, {"charge.y", s.charge.y}};
   for (const auto& [key, value] : offsets)
     if (value != 0) fail(key, value, "mm", "a quarter model needs a symmetric scene, set model to full");
+  if (s.stress.horizontal != s.stress.vertical && std::fmod(s.stress.direction, 90) != 0)
+    fail("stress.direction", s.stress.direction, "",
+         "a quarter model needs its principal stresses along x and y, take a multiple of 90 or set model to full");
   if (s.block.mirror != Mirror::none)
     throw InputError("block.mirror: the sides of a quarter model mirror it already, set model to full");
 }

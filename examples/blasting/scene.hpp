@@ -72,7 +72,7 @@ struct Scene {
 
   /// In-situ stress as magnitudes: compression positive, as in the paper and only here.
   struct Stress {
-    double horizontal = 20e6, vertical = 20e6;
+    double horizontal = 20e6, vertical = 20e6, direction = 0;
     StressStart start = StressStart::kirsch;
   } stress;
 

@@ -75,8 +75,10 @@ double wave_speed(const Body& rock) {
 
 inline std::string title(const Scene& scene, double time) {
   char text[160];
-  std::snprintf(text, sizeof text, "%.0f us, in-situ stress %g MPa horizontal, %g MPa vertical", time * 1e6,
-                scene.stress.horizontal * 1e-6, scene.stress.vertical * 1e-6);
+  const auto& s = scene.stress;
+  const int length = std::snprintf(text, sizeof text, "%.0f us, in-situ stress %g MPa horizontal, %g MPa vertical",
+                                   time * 1e6, s.horizontal * 1e-6, s.vertical * 1e-6);
+  if (s.direction != 0) std::snprintf(text + length, sizeof text - length, ", turned by %g degrees", s.direction);
   return text;
 }
 

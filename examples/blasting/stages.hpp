@@ -42,17 +42,18 @@ inline mpm::Grid<Space> background(const Scene& scene) {
 
 /// In-situ stress round the hole, tension positive; the paper's and the scene's magnitudes are compressions.
 inline mpm::analysis::Kirsch in_situ(const Scene& scene) {
-  return {.horizontal = -scene.stress.horizontal, .vertical = -scene.stress.vertical, .radius = scene.hole.radius};
+  return {.horizontal = -scene.stress.horizontal,
+          .vertical = -scene.stress.vertical,
+          .radius = scene.hole.radius,
+          .direction = scene.stress.direction * M_PI / 180};
 }
 
 /// Stress that the relaxation starts from at x: Kirsch's, or the far field as if there were no hole.
 inline mpm::SymmetricTensor<double> starting_stress(const Scene& scene, double poisson, double x, double y) {
   const auto field = in_situ(scene);
-  if (scene.stress.start == StressStart::far_field)
-    return {field.horizontal, field.vertical, poisson * (field.horizontal + field.vertical), 0, 0, 0};
-  const double dx = x - scene.hole.x, dy = y - scene.hole.y;
-  const auto s = field.stress(dx, dy);
-  return {s.xx, s.yy, field.stress_zz(dx, dy, poisson), s.xy, 0, 0};
+  const auto s = scene.stress.start == StressStart::far_field ? field.far_field()
+                                                              : field.stress(x - scene.hole.x, y - scene.hole.y);
+  return {s.xx, s.yy, poisson * (s.xx + s.yy), s.xy, 0, 0};
 }
 
 /// The rock of the scene: quadrilaterals that follow the round wall, under the starting stress, each denser as the

@@ -48,6 +48,19 @@ TEST(Kirsch, FarFieldIsUndisturbed) {
   }
 }
 
+// Turned by 30 degrees, tension across it is sheared positively: sigma_xy = (horizontal - vertical)/2 sin 60.
+TEST(Kirsch, TurnsWithItsDirection) {
+  Kirsch turned = hole;
+  turned.direction = pi / 6;
+  EXPECT_NEAR(turned.far_field().xx, -17.5e6, 1);
+  EXPECT_NEAR(turned.far_field().yy, -32.5e6, 1);
+  EXPECT_NEAR(turned.far_field().xy, 15e6 * std::sqrt(3.) / 2, 1);
+  EXPECT_NEAR(turned.stress(1e4, 2e4).xy, turned.far_field().xy, 1);
+  EXPECT_NEAR(turned.polar_stress(hole.radius, pi / 6).tt, -110e6, 1);
+  EXPECT_NEAR(turned.polar_stress(.03, 1.1).rt, hole.polar_stress(.03, 1.1 - pi / 6).rt, 1);
+  EXPECT_EQ(turned.displacement(.03, 1.1, 20e9, .2).t, hole.displacement(.03, 1.1 - pi / 6, 20e9, .2).t);
+}
+
 TEST(Kirsch, IsInEquilibrium) {
   const double h = 1e-6, x = 0.02, y = 0.017;
   const PlanarStress east = hole.stress(x + h, y), west = hole.stress(x - h, y);

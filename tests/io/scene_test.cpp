@@ -168,6 +168,17 @@ TEST(Validate, AQuarterModelNeedsASymmetricScene) {
   }
 }
 
+TEST(Validate, AQuarterModelNeedsStressesAlongItsSides) {
+  EXPECT_EQ(
+      invalid({"stress.vertical=40 MPa", "stress.direction=30"}),
+      "stress.direction = 30: a quarter model needs its principal stresses along x and y, take a multiple of 90 or "
+      "set model to full");
+  for (const char* instead : {"stress.direction=-90", "model=full", "stress.horizontal=40 MPa"})
+    EXPECT_EQ(invalid({"stress.vertical=40 MPa", instead,
+                       std::string(instead).starts_with("stress.d") ? "seed=1" : "stress.direction=30"}),
+              "no error");
+}
+
 TEST(Validate, TheResolutionMakesSense) {
   EXPECT_EQ(invalid({"grid.cell=22 mm"}).substr(0, 17), "grid.cell = 22 mm");
   EXPECT_EQ(invalid({"rock.particle=11 mm"}).substr(0, 21), "rock.particle = 11 mm");

@@ -13,18 +13,22 @@ struct PolarDisplacement {
 /// Kirsch (1898): a traction-free circular hole in an infinite linear elastic plate under far-field stress.
 ///
 /// Eq 12 of Xiao et al. 2024, Processes 12, 1048, corrected: the shear goes with sin 2 theta, theta is measured from
-/// the horizontal (x, along `horizontal`), and tension is positive, so that rock under compression has negative
-/// far-field stresses. The centre is the origin; valid for r >= radius.
+/// x, and tension is positive, so that rock under compression has negative far-field stresses. The centre is the
+/// origin; valid for r >= radius.
 struct Kirsch {
-  double horizontal{};  ///< far-field sigma_xx, Pa
-  double vertical{};    ///< far-field sigma_yy, Pa
+  double horizontal{};  ///< principal far-field stress in `direction`, Pa
+  double vertical{};    ///< the one across it, Pa
   double radius{1};     ///< of the hole, m
+  double direction{};   ///< of `horizontal`, rad from x, counter-clockwise
 
-  /// Stress at (r, theta), m and rad. At the wall the hoop stress is 3 vertical - horizontal at theta = 0 and
-  /// 3 horizontal - vertical at 90 degrees.
+  /// Stress far from the hole.
+  PlanarStress far_field() const { return to_cartesian({horizontal, vertical, 0}, direction); }
+
+  /// Stress at (r, theta), m and rad. At the wall the hoop stress is 3 vertical - horizontal in `direction` and
+  /// 3 horizontal - vertical across it.
   PolarStress polar_stress(double r, double theta) const {
     const double q2 = (radius / r) * (radius / r), q4 = q2 * q2;
-    const double c = deviator() * std::cos(2 * theta), s = deviator() * std::sin(2 * theta);
+    const double off = theta - direction, c = deviator() * std::cos(2 * off), s = deviator() * std::sin(2 * off);
     return {mean() * (1 - q2) + c * (1 - 4 * q2 + 3 * q4), mean() * (1 + q2) - c * (1 + 3 * q4),
             -s * (1 + 2 * q2 - 3 * q4)};
   }
@@ -44,9 +48,9 @@ struct Kirsch {
   /// Displacement at (r, theta) that cutting the hole adds to the pre-stressed rock (zero far away); plane strain,
   /// `shear_modulus` in Pa.
   PolarDisplacement displacement(double r, double theta, double shear_modulus, double poisson) const {
-    const double q2 = (radius / r) * (radius / r), f = r * q2 / (2 * shear_modulus);
-    return {f * (mean() + deviator() * (4 * (1 - poisson) - q2) * std::cos(2 * theta)),
-            -f * deviator() * (2 * (1 - 2 * poisson) + q2) * std::sin(2 * theta)};
+    const double q2 = (radius / r) * (radius / r), f = r * q2 / (2 * shear_modulus), off = theta - direction;
+    return {f * (mean() + deviator() * (4 * (1 - poisson) - q2) * std::cos(2 * off)),
+            -f * deviator() * (2 * (1 - 2 * poisson) + q2) * std::sin(2 * off)};
   }
 
  private:
