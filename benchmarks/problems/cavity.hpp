@@ -131,14 +131,14 @@ CavityOutcome cavity(const CavityOptions& options, const Integrator& integrator,
   static_assert(std::is_same_v<Shape, CpdiQuad>, "problems::cavity: particle edges make the wall; see radial_cavity");
   using Space = PlaneStrain<Scalar>;
   auto block = holed_block(options.side, options.cells, options.per_edge, options.model);
-  for (int d = 0; d < 2; ++d) block.centre[d] = options.offset[d] * hole / options.cells;
+  for (int d = 0; d < 2; ++d) block.centres[0][d] = options.offset[d] * hole / options.cells;
   Solver<Shape, Hypoelastic, Integrator, Space> solver(
       holed_block_grid<Space>(options.side, options.cells, options.model),
       geometry::make_body<Space>("rock", block.mesh(), granite_elastic()));
   solver.integrator = integrator;
   if (options.model == Model::quarter) roll_on_axes(solver);
   prepare(solver);
-  return detail::blast(solver, options, block.centre, [&](double p) { solver.body().shape.pressure = p; });
+  return detail::blast(solver, options, block.centres[0], [&](double p) { solver.body().shape.pressure = p; });
 }
 template <class Shape = CpdiQuad, class Integrator = Usl, class Scalar = double>
 CavityOutcome cavity(const CavityOptions& options, const Integrator& integrator = {}) {

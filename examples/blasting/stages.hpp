@@ -63,7 +63,7 @@ mpm::Body<CpdiQuad, Rock, Space> make_rock(const Scene& scene) {
   const auto law = rock_law<Rock>(scene);
   const auto starting = [&](double x, double y) { return starting_stress(scene, law.poisson, x, y); };
   const mpm::geometry::HoledBlock block{.radius = scene.hole.radius,
-                                        .centre = {scene.hole.x, scene.hole.y},
+                                        .centres = {{scene.hole.x, scene.hole.y}},
                                         .half_side = half_side(scene),
                                         .particle_size = scene.rock.particle,
                                         .model = scene.model};
