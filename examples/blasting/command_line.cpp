@@ -74,7 +74,7 @@ Options parse(int argc, const char* const* argv) {
 void print_help(std::ostream& out) {
   Options options;
   std::string threads, output;
-  out << "blasting: one hole blasted in pre-stressed rock.\n\n" << description(options, threads, output);
+  out << "blasting: holes blasted in pre-stressed rock.\n\n" << description(options, threads, output);
   Scene scene;
   const auto all = parameters(scene);
   std::size_t name_width = 0, value_width = 0;

@@ -54,7 +54,7 @@ struct Raster {
 Raster window(const Picture& picture) {
   const int side = picture.quarter ? picture_pixels / 2 : picture_pixels;
   const double left = picture.quarter ? 0 : -picture.half_width;
-  return {{picture.hole_centre[0] + left, picture.hole_centre[1] + left},
+  return {{picture.centre[0] + left, picture.centre[1] + left},
           2 * picture.half_width / picture_pixels,
           side,
           std::vector<float>(std::size_t(side) * std::size_t(side), std::numeric_limits<float>::quiet_NaN())};
@@ -101,7 +101,7 @@ std::string margins() {
 }
 
 std::string field_script(const Picture& picture, std::pair<double, double> bar) {
-  const auto& [x, y] = picture.hole_centre;
+  const auto& [x, y] = picture.centre;
   const double w = picture.half_width, pixel = 2 * w / picture_pixels;
   const auto span = [&](double c) { return "[" + number(c - w) + ":" + number(c + w) + "]\n"; };
   const std::string unit = picture.field.unit == "1" ? "" : " [" + picture.field.unit + "]";
@@ -111,13 +111,11 @@ std::string field_script(const Picture& picture, std::pair<double, double> bar) 
          gnuplot_string(picture.field.name + unit) + "\nset xrange " + span(x) + "set yrange " + span(y) +
          "set cbrange [" + number(bar.first) + ":" + number(bar.second) +
          "]\nset tics out nomirror\nunset key\n"
-         "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#d9dde2' fillstyle solid noborder\n"
-         "set object 2 circle at " +
-         number(x) + "," + number(y) + " size " + number(picture.hole_radius) +
-         " front fillstyle empty border rgb '#00a0a0' linewidth 1.5\n"
-         "plot 'field' binary array=(" +
-         side + "," + side + ") format='%float' dx=" + number(pixel) + " dy=" + number(pixel) + " origin=(" +
-         number(x - w + pixel / 2) + "," + number(y - w + pixel / 2) + ") with image\n";
+         "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#d9dde2' fillstyle solid "
+         "noborder\n" +
+         circles(picture.holes, picture.hole_radius) + "plot 'field' binary array=(" + side + "," + side +
+         ") format='%float' dx=" + number(pixel) + " dy=" + number(pixel) + " origin=(" + number(x - w + pixel / 2) +
+         "," + number(y - w + pixel / 2) + ") with image\n";
 }
 
 struct Table {
@@ -142,6 +140,15 @@ Table read_header(const std::filesystem::path& csv) {
 }
 
 }  // namespace
+
+std::string circles(const std::vector<Vec2>& centres, double radius) {
+  std::string script;
+  int object = 2;
+  for (const auto& [x, y] : centres)
+    script += "set object " + std::to_string(object++) + " circle at " + number(x) + "," + number(y) + " size " +
+              number(radius) + " front fillstyle empty border rgb '#00a0a0' linewidth 1.5\n";
+  return script;
+}
 
 std::string palette(ColourMap colours) {
   switch (colours) {

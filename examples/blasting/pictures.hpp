@@ -32,6 +32,9 @@ enum class ColourMap {
 /// The gnuplot lines that set the colours of a map.
 std::string palette(ColourMap colours);
 
+/// The gnuplot lines that draw circles, as objects 2, 3, ...
+std::string circles(const std::vector<Vec2>& centres, double radius);
+
 /// A quantity as it is drawn.
 struct Field {
   std::string name{};
@@ -49,14 +52,15 @@ inline double signed_damage(double crushed, double cracked) {
   return crushed > 0.5 || crushed > cracked ? -crushed : cracked;
 }
 
-/// A square window on the particles around the hole.
+/// A square window on the particles around the holes.
 struct Picture {
   std::string title{};
   Field field{};
-  Vec2 hole_centre{};
-  double hole_radius = 0;  ///< its first outline is drawn as a circle, m
-  double half_width = 1;   ///< from the hole's centre to the edges of the window, m
-  bool quarter = false;    ///< the particles fill x, y above the hole's centre only; the picture mirrors them
+  Vec2 centre{};              ///< of the window, m
+  std::vector<Vec2> holes{};  ///< centres, m; their first outlines are drawn as circles
+  double hole_radius = 0;     ///< m
+  double half_width = 1;      ///< of the window, m
+  bool quarter = false;       ///< the particles fill x, y above the centre only; the picture mirrors them
 };
 
 /// Side of a field picture's window, pixels.

@@ -17,11 +17,13 @@
 // What a run writes: snapshots, tables, pictures, and the figures of its summary.
 namespace blasting {
 
-/// Radial and hoop stress of particle p about the hole's centre, Pa.
+/// Radial and hoop stress of particle p about the nearest hole's centre, Pa.
 template <class Body>
 mpm::analysis::PolarStress polar_stress(const Body& body, std::size_t p, const Scene& scene) {
   const auto s = body.stress(p);
-  const double theta = std::atan2(body.x(1)[p] - scene.hole.y, body.x(0)[p] - scene.hole.x);
+  const double x = body.x(0)[p], y = body.x(1)[p];
+  const auto [hole_x, hole_y] = scene.hole_centre(scene.nearest_hole(x, y));
+  const double theta = std::atan2(y - hole_y, x - hole_x);
   return mpm::analysis::to_polar({s.xx, s.yy, s.xy}, theta);
 }
 
@@ -74,18 +76,20 @@ mpm::io::UnstructuredGrid snapshot_of(Solver& solver, const Scene& scene) {
   return grid;
 }
 
-/// Mean radial stress, Pa, of the rock within a cell of the wall. The ring's mean: a single particle that shares a cell
-/// with gas shows several times as much.
+/// Mean radial stress, Pa, of the rock within a cell of a hole's wall. The ring's mean: a single particle that shares a
+/// cell with gas shows several times as much.
 template <class Body>
-double wall_radial_stress(const Body& rock, const Scene& scene) {
-  double wall = 0;
+double wall_radial_stress(const Body& rock, const Scene& scene, std::size_t hole) {
+  const auto [hole_x, hole_y] = scene.hole_centre(hole);
+  double wall = 0, corners = 0;
   for (const auto& edge : rock.shape.surface) {
     const auto& x = rock.shape.corner[edge.first];
-    wall += std::hypot(x[0] - scene.hole.x, x[1] - scene.hole.y) / double(rock.shape.surface.size());
+    if (scene.nearest_hole(x[0], x[1]) == hole) wall += std::hypot(x[0] - hole_x, x[1] - hole_y), corners += 1;
   }
+  wall /= corners;
   double stress = 0, volume = 0;
   for (std::size_t p = 0; p < rock.size(); ++p) {
-    if (std::hypot(rock.x(0)[p] - scene.hole.x, rock.x(1)[p] - scene.hole.y) > wall + scene.grid.cell) continue;
+    if (std::hypot(rock.x(0)[p] - hole_x, rock.x(1)[p] - hole_y) > wall + scene.grid.cell) continue;
     stress += rock.volume()[p] * polar_stress(rock, p, scene).rr;
     volume += rock.volume()[p];
   }
@@ -109,13 +113,14 @@ mpm::analysis::PolarStress probe(const Body& rock, const std::array<double, 2>& 
 /// Calls f(samples, count) with the rock's damage as the crack measures take it; particles beyond half damage count.
 template <class Body, class F>
 auto with_damage(const Body& rock, const Scene& scene, const F& f) {
-  std::vector<double> damage(rock.size()), crushing(rock.size());
+  std::vector<double> x(rock.size()), y(rock.size()), damage(rock.size()), crushing(rock.size());
   for (std::size_t p = 0; p < rock.size(); ++p) {
+    const auto [hole_x, hole_y] = scene.hole_centre(scene.nearest_hole(rock.x(0)[p], rock.x(1)[p]));
+    x[p] = rock.x(0)[p] - hole_x, y[p] = rock.x(1)[p] - hole_y;
     const auto d = damage_of(rock.state(p));
     damage[p] = d.larger(), crushing[p] = d.crushed;
   }
-  const std::span<const double> x{rock.x(0), rock.size()}, y{rock.x(1), rock.size()}, area{rock.volume(), rock.size()};
-  return f(mpm::analysis::DamageSamples{x, y, area, damage, crushing, scene.hole.x, scene.hole.y},
+  return f(mpm::analysis::DamageSamples{x, y, {rock.volume(), rock.size()}, damage, crushing},
            mpm::analysis::CrackCount{.ring_width = scene.rock.particle, .multiplicity = multiplicity(scene)});
 }
 
@@ -137,7 +142,7 @@ void write_rose(const Body& rock, const Scene& scene, const std::filesystem::pat
   for (int k = 0; k < sectors; ++k) table.row(std::vector<double>{360.0 * k / sectors, rose[std::size_t(k)]});
 }
 
-/// Draws damage, hoop stress and pressure of the rock round the hole.
+/// Draws damage, hoop stress and pressure of the rock round the holes.
 template <class Body>
 void draw_rock(const Body& rock, const Scene& scene, const std::string& when, double half_width,
                const std::filesystem::path& folder) {
@@ -151,7 +156,8 @@ void draw_rock(const Body& rock, const Scene& scene, const std::string& when, do
     pressure[p] = -trace(rock.stress(p)) / 3;
   }
   Picture picture{.title = when,
-                  .hole_centre = {scene.hole.x, scene.hole.y},
+                  .centre = scene.middle(),
+                  .holes = scene.hole_centres(),
                   .hole_radius = scene.hole.radius,
                   .half_width = half_width,
                   .quarter = scene.model == Model::quarter};
@@ -220,12 +226,14 @@ class Recorder {
   }
   /// Largest part of the charge's energy that the ledger has missed, J per metre of the full plane.
   double largest_loss() const { return largest_loss_; }
-  /// Largest compression that the wall has seen, Pa, tension positive.
+  /// Largest compression that a wall has seen, Pa, tension positive.
   double wall_radial_stress() const { return wall_; }
 
  private:
   static std::vector<mpm::io::Column> probe_columns(const Scene& scene) {
     std::vector<mpm::io::Column> columns{{"time", "s"}, {"wall_radial_stress", "Pa"}};
+    for (std::size_t k = 1; k < scene.holes(); ++k)
+      columns.push_back({"wall_radial_stress_" + std::to_string(k + 1), "Pa"});
     for (std::size_t k = 0; k < scene.output.probes.size(); ++k) {
       std::string at = "_at_" + mpm::io::number(scene.output.probes[k]) + "m";
       if (!scene.output.probe_directions.empty()) at += "_" + mpm::io::number(scene.output.probe_directions[k]) + "deg";
@@ -242,9 +250,11 @@ class Recorder {
                              "boundary", "balance"})
       row.push_back(e.at(name));
     energies_.row(row);
-    const double wall = blasting::wall_radial_stress(rock, scene_);
-    wall_ = std::min(wall_, wall);
-    row = {solver.time, wall};
+    row = {solver.time};
+    for (std::size_t k = 0; k < scene_.holes(); ++k) {
+      row.push_back(blasting::wall_radial_stress(rock, scene_, k));
+      wall_ = std::min(wall_, row.back());
+    }
     for (std::size_t k = 0; k < scene_.output.probes.size(); ++k) {
       const auto s = probe(rock, scene_.probe(k), scene_);
       row.insert(row.end(), {s.rr, s.tt});

@@ -26,8 +26,9 @@ Parameters hole_and_charge(Scene& s) {
   auto& c = s.charge;
   return {
       {"model", Choice(s.model, {"full", "quarter"}), "", "quarter: one quadrant between symmetry rollers"},
-      {"hole.radius", &s.hole.radius, "mm", "radius of the blast hole", positive},
-      {"hole.x", &s.hole.x, "mm", "centre of the hole from the centre of the block (not 0: model full)", any},
+      {"hole.radius", &s.hole.radius, "mm", "radius of the blast holes", positive},
+      {"hole.x", &s.hole.x, "mm", "centres of the holes from the centre of the block, with commas (not 0: model full)",
+       any},
       {"hole.y", &s.hole.y, "mm", "the same, vertical", any},
       {"charge.kind", Choice(c.kind, {"petn", "none"}), "", "explosive in the hole"},
       {"charge.radius", &c.radius, "mm", "radius of the charge", positive},
@@ -37,6 +38,8 @@ Parameters hole_and_charge(Scene& s) {
        "JWL constants: at the density they fit, or density and speed as printed in the paper"},
       {"charge.burn", Choice(c.burn, {"constant_volume", "programmed"}), "",
        "all products at once, or lit from the charge's centre at the detonation velocity"},
+      {"charge.delay", &c.delay, "us", "when the charge of each hole is lit, with commas (none: all at the start)",
+       not_negative},
       {"charge.density", &c.density, "kg/m^3", "density of the charge", {100, 10000}},
       {"charge.detonation_velocity", &c.detonation_velocity, "m/s", "speed of the programmed burn", {100, 20000}},
       {"charge.A", &c.A, "GPa", "JWL pressure A", positive},
@@ -58,8 +61,6 @@ Parameters rock(Scene& s) {
       {"block.side", &s.block.side, "m", "full side of the square block of rock", positive},
       {"block.faces", Choice(s.block.faces, {"quiet", "free"}), "",
        "outer sides during the blast: waves pass as into endless rock, or the slab ends there under its in-situ load"},
-      {"block.mirror", Choice(s.block.mirror, {"none", "left", "bottom"}), "",
-       "a side that mirrors the block: the hole and its image are fired at once (model full)"},
       {"grid.cell", &s.grid.cell, "mm", "side of a cell of the background grid", positive},
       {"rock.particle", &r.particle, "mm", "side of a rock particle", positive},
       {"rock.law", Choice(r.law, {"jh2", "elastic"}), "", "Johnson-Holmquist 2, or linear elastic without damage"},
@@ -115,7 +116,8 @@ Parameters stages(Scene& s) {
        {0, 1}},
       {"end_time", &s.end_time, "us", "simulated time of the blast", {0, 1, true}},
       {"output.snapshots", &s.output.snapshots, "", "snapshots of the blast, the last at the end time", {0, 100000}},
-      {"output.probes", &s.output.probes, "m", "distances from the hole's centre, with commas, or none", positive},
+      {"output.probes", &s.output.probes, "m", "distances from the first hole's centre, with commas, or none",
+       positive},
       {"output.probe_directions", &s.output.probe_directions, "",
        "directions of the probes, degrees from x, one each (none: all along x)", any},
   };
@@ -129,8 +131,22 @@ std::string millimetres(double metres) {
   return mpm::io::format_quantity(metres, "mm");
 }
 
-void check_hole(const Scene& s) {
-  // The body-fitted rings around the hole need this many radii of rock before the block turns square.
+[[noreturn]] void fail(const char* key, const std::vector<double>& values, const char* unit,
+                       const std::string& problem) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + mpm::io::format_quantity(value, unit);
+  throw InputError(std::string(key) + " = " + (text.empty() ? "none" : text) + ": " + problem);
+}
+
+void check_holes(const Scene& s) {
+  if (s.hole.x.empty()) fail("hole.x", s.hole.x, "mm", "a blast needs a hole");
+  if (s.hole.x.size() != s.hole.y.size())
+    fail("hole.y", s.hole.y, "mm",
+         "each hole needs both coordinates, and hole.x has " + std::to_string(s.hole.x.size()));
+  if (!s.charge.delay.empty() && s.charge.delay.size() != s.holes())
+    fail("charge.delay", s.charge.delay, "us",
+         "give one delay a hole, and there are " + std::to_string(s.holes()) + " in hole.x, or none");
+  // The body-fitted rings around a hole need this many radii of rock before the mesh turns square.
   constexpr double room = 3;
   const auto inside = [&](const char* key, double centre) {
     const double gap = s.block.side / 2 - std::abs(centre);
@@ -142,8 +158,17 @@ void check_hole(const Scene& s) {
       fail("block.side", s.block.side, "m", where + "; " + reach + ", raise block.side or lower hole.radius");
     fail(key, centre, "mm", where + "; " + reach + " a block.side of " + mpm::io::format_quantity(s.block.side, "m"));
   };
-  inside("hole.x", s.hole.x);
-  inside("hole.y", s.hole.y);
+  for (const double x : s.hole.x) inside("hole.x", x);
+  for (const double y : s.hole.y) inside("hole.y", y);
+  for (std::size_t i = 0; i < s.holes(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double dx = s.hole.x[i] - s.hole.x[j], dy = s.hole.y[i] - s.hole.y[j];
+      if (std::max(std::abs(dx), std::abs(dy)) >= 2 * room * s.hole.radius * (1 - 1e-12)) continue;
+      const std::string which = "holes " + std::to_string(j + 1) + " and " + std::to_string(i + 1);
+      fail("hole.x", s.hole.x, "mm",
+           which + (std::hypot(dx, dy) < 2 * s.hole.radius ? " overlap" : " are too close to each other") +
+               "; set them at least " + millimetres(2 * room * s.hole.radius) + " (6 radii) apart along x or y");
+    }
 }
 
 void check_charge(const Scene& s) {
@@ -162,15 +187,14 @@ void check_charge(const Scene& s) {
 
 void check_symmetry(const Scene& s) {
   if (s.model == Model::full) return;
+  if (s.holes() > 1) fail("hole.x", s.hole.x, "mm", "a quarter model has one hole, set model to full");
   const std::pair<const char*, double> offsets[] = {
-      {"hole.x", s.hole.x}, {"hole.y", s.hole.y}, {"charge.x", s.charge.x}, {"charge.y", s.charge.y}};
+      {"hole.x", s.hole.x[0]}, {"hole.y", s.hole.y[0]}, {"charge.x", s.charge.x}, {"charge.y", s.charge.y}};
   for (const auto& [key, value] : offsets)
     if (value != 0) fail(key, value, "mm", "a quarter model needs a symmetric scene, set model to full");
   if (s.stress.horizontal != s.stress.vertical && std::fmod(s.stress.direction, 90) != 0)
     fail("stress.direction", s.stress.direction, "",
          "a quarter model needs its principal stresses along x and y, take a multiple of 90 or set model to full");
-  if (s.block.mirror != Mirror::none)
-    throw InputError("block.mirror: the sides of a quarter model mirror it already, set model to full");
 }
 
 void check_resolution(const Scene& s) {
@@ -195,8 +219,9 @@ void check_probes(const Scene& s) {
   for (std::size_t k = 0; k < s.output.probes.size(); ++k) {
     const double probe = s.output.probes[k], half = s.block.side / 2;
     const auto [x, y] = s.probe(k);
+    const auto [hole_x, hole_y] = s.hole_centre(s.nearest_hole(x, y));
     const double low = s.model == Model::quarter ? -1e-9 : -half;
-    if (probe <= s.hole.radius || x >= half || y >= half || x <= low || y <= low)
+    if (std::hypot(x - hole_x, y - hole_y) <= s.hole.radius || x >= half || y >= half || x <= low || y <= low)
       fail("output.probes", probe, "m",
            "not in the rock, keep it beyond " + millimetres(s.hole.radius) + " and within the " +
                (s.model == Model::quarter ? "quarter" : "block"));
@@ -205,10 +230,31 @@ void check_probes(const Scene& s) {
 
 }  // namespace
 
+std::vector<std::array<double, 2>> Scene::hole_centres() const {
+  std::vector<std::array<double, 2>> centres;
+  for (std::size_t k = 0; k < holes(); ++k) centres.push_back(hole_centre(k));
+  return centres;
+}
+
+std::size_t Scene::nearest_hole(double x, double y) const {
+  const auto distance = [&](std::size_t k) { return std::hypot(x - hole.x[k], y - hole.y[k]); };
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < holes(); ++k)
+    if (distance(k) < distance(nearest)) nearest = k;
+  return nearest;
+}
+
+std::array<double, 2> Scene::middle() const {
+  std::array<double, 2> sum{};
+  for (std::size_t k = 0; k < holes(); ++k)
+    sum[0] += hole.x[k] / double(holes()), sum[1] += hole.y[k] / double(holes());
+  return sum;
+}
+
 std::array<double, 2> Scene::probe(std::size_t k) const {
   const double direction = output.probe_directions.empty() ? 0 : output.probe_directions[k] * M_PI / 180;
   const double x = output.probes[k] * std::cos(direction), y = output.probes[k] * std::sin(direction);
-  return {hole.x + x, hole.y + y};
+  return {hole.x[0] + x, hole.y[0] + y};
 }
 
 Parameters parameters(Scene& scene) {
@@ -222,7 +268,7 @@ void validate(const Scene& scene) {
   Scene copy = scene;
   for (const auto& parameter : parameters(copy)) mpm::io::check_range(parameter);
   check_charge(scene);
-  check_hole(scene);
+  check_holes(scene);
   check_symmetry(scene);
   check_resolution(scene);
   check_probes(scene);

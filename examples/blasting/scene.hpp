@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-// The scene of one blast hole in pre-stressed rock (Xiao et al. 2024, Processes 12, 1048, sections 3.3 and 3.4).
+// The scene of blast holes in pre-stressed rock (Xiao et al. 2024, Processes 12, 1048, sections 3.3 and 3.4).
 namespace blasting {
 
 using mpm::geometry::Model;
@@ -20,7 +20,6 @@ enum class RockPreset { paper, granite_1200, granite_3000 };
 enum class TensileLaw { rankine, none };
 enum class StressStart { kirsch, far_field };
 enum class Faces { quiet, free };
-enum class Mirror { none, left, bottom };
 enum class StressUpdate { usl, musl, usf };
 
 /// Every parameter of a run, in SI. The member initialisers are the default scene. An optional member, when set,
@@ -29,7 +28,8 @@ struct Scene {
   Model model = Model::quarter;
 
   struct Hole {
-    double radius = 0.021, x = 0, y = 0;
+    double radius = 0.021;
+    std::vector<double> x{0}, y{0};  ///< one entry a hole
   } hole;
 
   struct Charge {
@@ -37,6 +37,7 @@ struct Scene {
     double radius = 0.016, x = 0, y = 0;
     ChargePreset preset = ChargePreset::petn_1260;
     Burn burn = Burn::constant_volume;
+    std::vector<double> delay{};  ///< one a hole, or none: all are lit at the start
     std::optional<double> density, detonation_velocity, A, B, R1, R2, omega, E0;
   } charge;
 
@@ -48,7 +49,6 @@ struct Scene {
   struct Block {
     double side = 3;
     Faces faces = Faces::quiet;
-    Mirror mirror = Mirror::none;
   } block;
 
   struct Grid {
@@ -100,6 +100,14 @@ struct Scene {
     std::vector<double> probe_directions{};
   } output;
 
+  std::size_t holes() const { return hole.x.size(); }
+  /// Where hole k is, m from the centre of the block; where all are; the one nearest to a point; the middle of all.
+  std::array<double, 2> hole_centre(std::size_t k) const { return {hole.x[k], hole.y[k]}; }
+  std::vector<std::array<double, 2>> hole_centres() const;
+  std::size_t nearest_hole(double x, double y) const;
+  std::array<double, 2> middle() const;
+  /// When the charge of hole k is lit, s.
+  double lighting_time(std::size_t k) const { return charge.delay.empty() ? 0 : charge.delay[k]; }
   /// Where probe k is, m from the centre of the block.
   std::array<double, 2> probe(std::size_t k) const;
 };
@@ -107,8 +115,9 @@ struct Scene {
 /// The one list of keys, bound to the members of `scene`; its values are the defaults where `scene` is a fresh one.
 mpm::io::Parameters parameters(Scene& scene);
 
-/// Checks every range, and what no single value shows: the charge fits the hole, the hole fits the block, a quarter
-/// model has a symmetric scene, a particle fits a cell, the probes lie in the rock. Throws mpm::io::InputError.
+/// Checks every range, and what no single value shows: the charge fits the hole, the holes fit the block and are
+/// apart, a quarter model has a symmetric scene, a particle fits a cell, the probes lie in the rock. Throws
+/// mpm::io::InputError.
 void validate(const Scene& scene);
 
 /// Writes a scene file that reproduces the run. Throws mpm::io::InputError where it cannot be written.

@@ -12,6 +12,8 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <functional>
+#include <vector>
 
 namespace blasting {
 namespace detail {
@@ -82,9 +84,21 @@ inline std::string title(const Scene& scene, double time) {
   return text;
 }
 
-/// Window of the pictures: the cracks and as much again, at least twenty hole radii.
+/// Window of the pictures: the holes, the cracks and as much again, at least twenty hole radii.
 inline double window(const Scene& scene, const Summary& summary) {
-  return std::min(half_side(scene), std::max(1.25 * summary.crack.longest, 20 * scene.hole.radius));
+  const auto middle = scene.middle();
+  double farthest = 0;
+  for (std::size_t k = 0; k < scene.holes(); ++k)
+    farthest = std::max({farthest, std::abs(scene.hole.x[k] - middle[0]), std::abs(scene.hole.y[k] - middle[1])});
+  return std::min(half_side(scene), farthest + std::max(1.25 * summary.crack.longest, 20 * scene.hole.radius));
+}
+
+/// When charges are lit, s, the latest first.
+inline std::vector<double> lighting_times(const Scene& scene) {
+  std::vector<double> times;
+  for (std::size_t k = 0; k < scene.holes(); ++k) times.push_back(scene.lighting_time(k));
+  std::ranges::sort(times, std::greater<>{});
+  return times;
 }
 
 template <class Solver>
@@ -116,14 +130,18 @@ void blast(const Scene& scene, const std::filesystem::path& folder, mpm::Body<Cp
   Recorder<decltype(solver)> recorder(scene, folder, charge_energy);
   recorder.record(solver);
   Progress progress("blast", scene.end_time);
-  // The charge acts at once: a first step of full length would lose 1 % of its energy, a small one that grows does not.
-  double longest = 0.05 * scene.grid.cell / wave_speed(solver.template body<0>());
+  // A charge acts at once: a step of full length there would lose 1 % of its energy, a small one that grows does not.
+  const double first = 0.05 * scene.grid.cell / wave_speed(solver.template body<0>());
+  double longest = first;
+  auto lightings = lighting_times(scene);
   LastGood<decltype(solver)> last_good(scene, folder);
   mpm::EnergyGuard guard;
   last_good.keep(solver);
   try {
     for (; solver.time < scene.end_time; longest *= 1.1) {
-      const double due = std::min(scene.end_time, recorder.next_snapshot_time()) - solver.time;
+      for (; !lightings.empty() && lightings.back() <= solver.time; lightings.pop_back()) longest = first;
+      const double next = lightings.empty() ? scene.end_time : lightings.back();
+      const double due = std::min({scene.end_time, recorder.next_snapshot_time(), next}) - solver.time;
       const double dt = solver.step(std::min(longest, due));
       guard(solver);
       progress.update(solver.steps, solver.time, dt, solver.steps * particles);

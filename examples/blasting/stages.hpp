@@ -40,7 +40,8 @@ inline mpm::Grid<Space> background(const Scene& scene) {
   return {{-half_side(scene), -half_side(scene)}, scene.grid.cell, {2 * n, 2 * n}};
 }
 
-/// In-situ stress round the hole, tension positive; the paper's and the scene's magnitudes are compressions.
+/// In-situ stress round a hole at the origin, tension positive; the paper's and the scene's magnitudes are
+/// compressions.
 inline mpm::analysis::Kirsch in_situ(const Scene& scene) {
   return {.horizontal = -scene.stress.horizontal,
           .vertical = -scene.stress.vertical,
@@ -48,11 +49,17 @@ inline mpm::analysis::Kirsch in_situ(const Scene& scene) {
           .direction = scene.stress.direction * M_PI / 180};
 }
 
-/// Stress that the relaxation starts from at x: Kirsch's, or the far field as if there were no hole.
+/// Stress that the relaxation starts from at x: the far field, and on it what each hole alone would change by Kirsch's
+/// solution, unless the scene starts as if there were none.
 inline mpm::SymmetricTensor<double> starting_stress(const Scene& scene, double poisson, double x, double y) {
   const auto field = in_situ(scene);
-  const auto s = scene.stress.start == StressStart::far_field ? field.far_field()
-                                                              : field.stress(x - scene.hole.x, y - scene.hole.y);
+  const auto far = field.far_field();
+  auto s = far;
+  if (scene.stress.start == StressStart::kirsch)
+    for (std::size_t k = 0; k < scene.holes(); ++k) {
+      const auto alone = field.stress(x - scene.hole.x[k], y - scene.hole.y[k]);
+      s.xx += alone.xx - far.xx, s.yy += alone.yy - far.yy, s.xy += alone.xy - far.xy;
+    }
   return {s.xx, s.yy, poisson * (s.xx + s.yy), s.xy, 0, 0};
 }
 
@@ -63,7 +70,7 @@ mpm::Body<CpdiQuad, Rock, Space> make_rock(const Scene& scene) {
   const auto law = rock_law<Rock>(scene);
   const auto starting = [&](double x, double y) { return starting_stress(scene, law.poisson, x, y); };
   const mpm::geometry::HoledBlock block{.radius = scene.hole.radius,
-                                        .centres = {{scene.hole.x, scene.hole.y}},
+                                        .centres = scene.hole_centres(),
                                         .half_side = half_side(scene),
                                         .particle_size = scene.rock.particle,
                                         .model = scene.model};
@@ -74,14 +81,12 @@ mpm::Body<CpdiQuad, Rock, Space> make_rock(const Scene& scene) {
   return rock;
 }
 
-/// Puts symmetry rollers on the cut faces of a quarter model and on one that mirrors the block, `face(axis, side)` on
-/// all others.
+/// Puts symmetry rollers on the cut faces of a quarter model, `face(axis, side)` on all others.
 template <class Solver, class F>
 void set_faces(Solver& solver, const Scene& scene, const F& face) {
   for (int axis = 0; axis < 2; ++axis)
     for (int side = 0; side < 2; ++side) {
-      const Mirror here = side == 1 ? Mirror::none : axis == 0 ? Mirror::left : Mirror::bottom;
-      if ((scene.model == Model::quarter && side == 0) || (here != Mirror::none && here == scene.block.mirror)) {
+      if (scene.model == Model::quarter && side == 0) {
         solver.boundary.face(axis, side) = mpm::Rollers<Space>{};
       } else {
         solver.boundary.face(axis, side) = face(axis, side);
@@ -104,41 +109,43 @@ RelaxationSolver<Rock> relaxation_stage(const Scene& scene) {
   return solver;
 }
 
-/// Fills the hole's cross-section, or the quadrant of it, with gas particles wherever `inside(x, y)`, offsets from the
-/// hole's centre.
+/// Fills the holes' cross-sections, or the quadrant of the one, with gas particles wherever `inside(x, y)`, offsets
+/// from the hole's centre; masses and volumes are scaled so that they add up to the gas's true `area` a hole, which a
+/// lattice meets only nearly.
 template <class Law, class Inside>
-mpm::Body<Ugimp, Law, Space> fill_gas(const Scene& scene, const char* name, const Law& law, const Inside& inside) {
+mpm::Body<Ugimp, Law, Space> fill_gas(const Scene& scene, const char* name, const Law& law, double area,
+                                      const Inside& inside) {
+  const bool quarter = scene.model == Model::quarter;
   const double spacing = scene.grid.cell / scene.gas.particles_per_edge;
   const double extent = std::ceil(scene.hole.radius / spacing) * spacing;
-  const mpm::Vector<Space> centre(scene.hole.x, scene.hole.y), half(extent, extent);
   mpm::Body<Ugimp, Law, Space> gas(name, {}, law);
-  mpm::fill(gas, scene.model == Model::quarter ? centre : mpm::Vector<Space>(centre - half), centre + half, spacing,
-            [&](const mpm::Vector<Space>& x) { return inside(x[0] - centre[0], x[1] - centre[1]); });
+  for (std::size_t k = 0; k < scene.holes(); ++k) {
+    const mpm::Vector<Space> centre(scene.hole.x[k], scene.hole.y[k]), half(extent, extent);
+    mpm::fill(gas, quarter ? centre : mpm::Vector<Space>(centre - half), centre + half, spacing,
+              [&](const mpm::Vector<Space>& x) { return inside(x[0] - centre[0], x[1] - centre[1]); });
+  }
+  double sum = 0;
+  for (std::size_t p = 0; p < gas.size(); ++p) sum += gas.volume()[p];
+  const double scale = (quarter ? 0.25 : double(scene.holes())) * area / sum;
+  for (std::size_t p = 0; p < gas.size(); ++p) gas.volume()[p] *= scale, gas.mass()[p] *= scale;
   return gas;
 }
 
-/// Scales masses and volumes so that they add up to the gas's true cross-section, which a lattice meets only nearly.
-template <class Body>
-void make_area_exact(Body& gas, double area) {
-  double sum = 0;
-  for (std::size_t p = 0; p < gas.size(); ++p) sum += gas.volume()[p];
-  for (std::size_t p = 0; p < gas.size(); ++p) gas.volume()[p] *= area / sum, gas.mass()[p] *= area / sum;
-}
-
+/// The charge of every hole, lit at its delay; a programmed burn runs from the charge's centre on. (That burn lets
+/// compression light the charge, too: a wave from another hole may come first.)
 inline mpm::Body<Ugimp, mpm::JonesWilkinsLee, Space> make_charge(const Scene& scene) {
   const auto& c = scene.charge;
   const auto law = charge_law(scene);
   if (c.kind == ChargeKind::none) return {"charge", {}, law};
-  auto charge =
-      fill_gas(scene, "charge", law, [&](double x, double y) { return std::hypot(x - c.x, y - c.y) < c.radius; });
-  const double share = scene.model == Model::quarter ? 0.25 : 1;
-  make_area_exact(charge, share * M_PI * c.radius * c.radius);
+  auto charge = fill_gas(scene, "charge", law, M_PI * c.radius * c.radius,
+                         [&](double x, double y) { return std::hypot(x - c.x, y - c.y) < c.radius; });
   for (std::size_t p = 0; p < charge.size(); ++p) {
-    auto state = charge.state(p);
+    const double x = charge.x(0)[p], y = charge.x(1)[p];
+    const std::size_t hole = scene.nearest_hole(x, y);
+    double lit = scene.lighting_time(hole);
     if (c.burn == Burn::programmed)
-      state.lighting_time = std::hypot(charge.x(0)[p] - scene.hole.x - c.x, charge.x(1)[p] - scene.hole.y - c.y) /
-                            law.detonation_velocity;
-    charge.store(p, state);
+      lit += std::hypot(x - scene.hole.x[hole] - c.x, y - scene.hole.y[hole] - c.y) / law.detonation_velocity;
+    if (lit > 0) charge.store(p, law.unlit(lit));
   }
   return charge;
 }
@@ -147,12 +154,10 @@ inline mpm::Body<Ugimp, mpm::PolynomialEos, Space> make_air(const Scene& scene) 
   const auto& c = scene.charge;
   if (!scene.air.fill) return {"air", {}, air_law(scene)};
   const double charge_radius = c.kind == ChargeKind::none ? 0 : c.radius;
-  auto air = fill_gas(scene, "air", air_law(scene), [&](double x, double y) {
+  const double area = M_PI * (std::pow(scene.hole.radius, 2) - std::pow(charge_radius, 2));
+  return fill_gas(scene, "air", air_law(scene), area, [&](double x, double y) {
     return std::hypot(x, y) < scene.hole.radius && std::hypot(x - c.x, y - c.y) >= charge_radius;
   });
-  const double share = scene.model == Model::quarter ? 0.25 : 1;
-  make_area_exact(air, share * M_PI * (std::pow(scene.hole.radius, 2) - std::pow(charge_radius, 2)));
-  return air;
 }
 
 /// Stage 2, ready to burn: the relaxed rock moves in, charge and air fill the hole, and the outer faces turn quiet,

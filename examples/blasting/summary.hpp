@@ -26,7 +26,7 @@ struct Summary {
   struct Relaxation {
     double unbalanced_force = unknown, kinetic_ratio = unknown;
   } relaxation{};
-  /// Damaged rock around the hole: distances from its centre, m, and areas of the full circle, m2.
+  /// Damaged rock around the holes: distances from the nearest centre, m, and areas of the full plane, m2.
   struct Crack {
     double reach = unknown, along_x = unknown, along_y = unknown, longest = unknown, area = unknown,
            crushed_area = unknown, crushed_radius = unknown;

@@ -81,7 +81,7 @@ void initial_stress(Report& report) {
       if (!far) continue;
       worst_wall = std::max({worst_wall, std::abs(settled.wall_0), std::abs(settled.wall_90)});
       worst_far = std::max(worst_far, settled.far_error);
-      blasting::Picture picture{.hole_radius = .021, .half_width = .105, .quarter = true};
+      blasting::Picture picture{.half_width = .105, .quarter = true};
       fields.push_back({std::string(name) + ", radial", blasting::rasterise(picture, settled.domain, settled.radial)});
       fields.push_back({std::string(name) + ", hoop", blasting::rasterise(picture, settled.domain, settled.hoop)});
       errors.push_back(

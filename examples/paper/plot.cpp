@@ -90,9 +90,6 @@ void draw_tiles(const std::vector<Tile>& tiles, const TileStyle& style, const st
                        ":" + number(style.high) + "]\nset cblabel " + gnuplot_string(style.quantity) +
                        "\nunset key\nunset xtics\nunset ytics\nset border 31 linecolor rgb '#909090'\nset xrange " +
                        span + "set yrange " + span;
-  if (style.hole > 0)
-    script += "set object 2 circle at 0,0 size " + number(style.hole) +
-              " front fillstyle empty border rgb '#00a0a0' linewidth 1\n";
   for (std::size_t k = 0; k < tiles.size(); ++k) {
     const int left = gap + int(k) % style.columns * (style.pixels + gap);
     const int top = height - heading - int(k) / style.columns * (style.pixels + heading);
@@ -110,9 +107,9 @@ void draw_tiles(const std::vector<Tile>& tiles, const TileStyle& style, const st
     script += k > 0 ? "unset colorbox\n"
                     : "set colorbox user origin screen " + share(width - bar + gap, width) + ",0.3 size screen " +
                           share(20, width) + ",0.4\n";
-    script += "plot '" + name + "' binary array=(" + side + "," + side + ") format='%float' dx=" + number(pixel) +
-              " dy=" + number(pixel) + " origin=(" + number(-w + pixel / 2) + "," + number(-w + pixel / 2) +
-              ") with image\n";
+    script += blasting::circles(tiles[k].holes, style.hole) + "plot '" + name + "' binary array=(" + side + "," + side +
+              ") format='%float' dx=" + number(pixel) + " dy=" + number(pixel) + " origin=(" + number(-w + pixel / 2) +
+              "," + number(-w + pixel / 2) + ") with image\nunset object\n";
   }
   gnuplot.draw(width, height, script + "unset multiplot\n");
 }

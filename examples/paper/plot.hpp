@@ -28,7 +28,8 @@ void draw_curves(const std::vector<Axes>& panels, int columns, const std::filesy
 /// One square picture of a field about the origin.
 struct Tile {
   std::string title{};
-  std::vector<float> values{};  ///< as blasting::rasterise gives them
+  std::vector<float> values{};                          ///< as blasting::rasterise gives them
+  std::vector<blasting::Vec2> holes{blasting::Vec2{}};  ///< centres of the circles drawn, m
 };
 
 /// What the tiles of one figure share.
@@ -37,7 +38,7 @@ struct TileStyle {
   blasting::ColourMap colours = blasting::ColourMap::damage;
   double low = -1, high = 1;      ///< ends of the colour bar
   double half_width = 1;          ///< of the window, m
-  double hole = 0;                ///< radius of the circle drawn at the centre, m
+  double hole = 0;                ///< radius of the circles, m
   int columns = 4, pixels = 250;  ///< of a tile's side: a divisor of blasting::picture_pixels
 };
 

@@ -52,11 +52,9 @@ Rock read_rock(const Blast& blast) {
 std::vector<float> damage_picture(const Rock& rock, const blasting::Scene& scene, double half_width) {
   std::vector<double> damage(rock.domain.size());
   for (std::size_t p = 0; p < damage.size(); ++p) damage[p] = blasting::signed_damage(rock.crushed[p], rock.cracked[p]);
-  return blasting::rasterise({.hole_centre = {scene.hole.x, scene.hole.y},
-                              .hole_radius = scene.hole.radius,
-                              .half_width = half_width,
-                              .quarter = scene.model == blasting::Model::quarter},
-                             rock.domain, damage);
+  return blasting::rasterise(
+      {.centre = scene.middle(), .half_width = half_width, .quarter = scene.model == blasting::Model::quarter},
+      rock.domain, damage);
 }
 
 double area(const blasting::Quad& q) {

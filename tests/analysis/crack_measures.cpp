@@ -14,14 +14,14 @@ struct Rock {
 
   void add(double r, double degrees, double size, double d, double crush = 0) {
     const double theta = degrees * std::numbers::pi / 180;
-    x.push_back(2 + r * std::cos(theta)), y.push_back(-1 + r * std::sin(theta));
+    x.push_back(r * std::cos(theta)), y.push_back(r * std::sin(theta));
     area.push_back(size), damage.push_back(d), crushing.push_back(crush);
   }
   CrackMeasures measures(const CrackCount& count) const {
-    return crack_measures({x, y, area, damage, crushing, 2, -1}, count);
+    return crack_measures({x, y, area, damage, crushing}, count);
   }
   std::vector<double> rose(const CrackCount& count, int sectors) const {
-    return crack_rose({x, y, area, damage, crushing, 2, -1}, count, sectors);
+    return crack_rose({x, y, area, damage, crushing}, count, sectors);
   }
 };
 

@@ -61,10 +61,12 @@ TEST(Scene, DefaultIsThePaperAndValid) {
 }
 
 TEST(Scene, SetReachesEveryKindOfMember) {
-  const Scene scene = with({"hole.x = -5 mm", "charge.kind=none", "charge.density=1.32 g/cm^3", "rock.K2=-4500 GPa",
-                            "rock.tensile.law=none", "seed=42", "output.probes=10 cm, 0.3", "air.fill=false",
-                            "step.update=usf", "model=full", "rock.preset=granite_3000"});
-  EXPECT_EQ(scene.hole.x, -0.005);
+  const Scene scene =
+      with({"hole.x = -5 mm, 1 m", "charge.delay=0, 25 us", "charge.kind=none", "charge.density=1.32 g/cm^3",
+            "rock.K2=-4500 GPa", "rock.tensile.law=none", "seed=42", "output.probes=10 cm, 0.3", "air.fill=false",
+            "step.update=usf", "model=full", "rock.preset=granite_3000"});
+  EXPECT_EQ(scene.hole.x, (std::vector<double>{-0.005, 1}));
+  EXPECT_EQ(scene.charge.delay, (std::vector<double>{0, 25e-6}));
   EXPECT_EQ(scene.charge.kind, blasting::ChargeKind::none);
   EXPECT_EQ(scene.charge.density, 1320.0);
   EXPECT_EQ(scene.rock.K2, -4.5e12);
@@ -158,6 +160,23 @@ TEST(Validate, TheHoleFitsTheBlock) {
   EXPECT_NE(invalid({"model=full", "hole.x=1.45 m"}).find("too close"), std::string::npos);
   EXPECT_EQ(invalid({"model=full", "hole.x=1.43 m", "output.probes=none"}), "no error");
   EXPECT_EQ(invalid({"block.side=4 cm"}).substr(0, 46), "block.side = 0.04 m: the hole leaves the block");
+}
+
+TEST(Validate, HolesAreApartAndEachIsWhole) {
+  EXPECT_EQ(invalid({"model=full", "hole.x=0, 30 mm", "hole.y=0, 30 mm"}),
+            "hole.x = 0 mm, 30 mm: holes 1 and 2 are too close to each other; set them at least 126 mm (6 radii) apart "
+            "along x or y");
+  EXPECT_NE(invalid({"model=full", "hole.x=0, 30 mm", "hole.y=0, 0"}).find("holes 1 and 2 overlap"), std::string::npos);
+  EXPECT_EQ(invalid({"model=full", "hole.x=0, 10 mm", "hole.y=0, 126 mm", "charge.delay=0, 1 ms"}), "no error");
+  EXPECT_EQ(invalid({"model=full", "hole.x=0, 0.2"}),
+            "hole.y = 0 mm: each hole needs both coordinates, and hole.x has 2");
+  EXPECT_EQ(invalid({"hole.x=none", "hole.y=none"}), "hole.x = none: a blast needs a hole");
+  EXPECT_EQ(invalid({"model=full", "hole.x=0, 1.45", "hole.y=0, 0"}).substr(0, 34),
+            "hole.x = 1450 mm: the hole is too ");
+  EXPECT_EQ(invalid({"charge.delay=0, 1 us"}),
+            "charge.delay = 0 us, 1 us: give one delay a hole, and there are 1 in hole.x, or none");
+  EXPECT_EQ(invalid({"hole.x=0, 0.2", "hole.y=0, 0"}),
+            "hole.x = 0 mm, 200 mm: a quarter model has one hole, set model to full");
 }
 
 TEST(Validate, AQuarterModelNeedsASymmetricScene) {

@@ -79,6 +79,18 @@ TEST(JonesWilkinsLee, ProgrammedBurnFollowsTimeAndCompressionAndNeverFalls) {
 }
 
 /// While F rises with compression the particle is stiffer than its products.
+TEST(JonesWilkinsLee, DelayedChargeGivesNothingBeforeItIsLit) {
+  Particle<JonesWilkinsLee, double> p{.law = petn_1260()};
+  const double all = p.law.initial_energy;
+  p.state = p.law.unlit(2e-6);
+  p.step({}, p.F);  // to 1 us
+  EXPECT_EQ(p.state.pressure, 0);
+  EXPECT_EQ(p.state.energy, all);
+  p.step({}, p.F);  // to 2 us
+  EXPECT_NEAR(p.state.pressure, p.law.initial<double>().pressure, 1);
+  EXPECT_EQ(p.state.energy, all);
+}
+
 TEST(JonesWilkinsLee, TangentBoundsAParticleThatBurns) {
   Particle<JonesWilkinsLee, double> p{.law = petn_1260().with_own_detonation()};
   p.state.lighting_time = 1;

@@ -90,7 +90,7 @@ TEST(Pictures, CornersOnPixelCentresLeaveNoGap) {
 }
 
 TEST(Pictures, QuarterIsMirroredToAllQuadrants) {
-  const Picture picture{.hole_centre = {5, -3}, .half_width = 1, .quarter = true};
+  const Picture picture{.centre = {5, -3}, .half_width = 1, .quarter = true};
   const auto seen = rasterise(picture, std::vector{square({5.5, -2.75}, 0.2)}, std::vector{1.0});
   for (const int x : {250, 749})
     for (const int y : {375, 624}) EXPECT_EQ(seen[y * picture_pixels + x], 1) << x << ' ' << y;
@@ -106,7 +106,10 @@ TEST(Pictures, DamageSaysWhichKindIsLarger) {
 TEST(Pictures, FieldPictureHasTheColoursOfItsValues) {
   const TemporaryFolder folder;
   const std::vector domains{square({-0.5, 0.5}, 0.4), square({0.5, 0.5}, 0.4), square({0.5, -0.5}, 0.4)};
-  const Picture picture{.title = "it's \"90\" `date` $HOME \\ µs\n", .field = damage_field, .hole_radius = 0.05};
+  const Picture picture{.title = "it's \"90\" `date` $HOME \\ µs\n",
+                        .field = damage_field,
+                        .holes = {{}, {.9, -.9}},
+                        .hole_radius = 0.05};
   if (!draw_field(picture, domains, std::vector{-1.0, 1.0, 0.0}, folder / "picture.png"))
     FAIL() << "gnuplot is not there";
   EXPECT_EQ(count_files(folder.path(), ""), 1);  // the work folder is gone

@@ -14,11 +14,10 @@ namespace mpm::analysis {
 
 /// Damaged particles of a plane cross-section, one entry a particle, all spans of one length.
 struct DamageSamples {
-  std::span<const double> x{}, y{};    ///< positions, m
+  std::span<const double> x{}, y{};    ///< from the centre of the hole, of the nearest of several, m
   std::span<const double> area{};      ///< m2 (volume for unit thickness)
   std::span<const double> damage{};    ///< of any kind, 0 to 1
   std::span<const double> crushing{};  ///< the part by shear and compression alone, 0 to 1
-  double centre_x{}, centre_y{};       ///< of the hole, m
 };
 
 /// How to count.
@@ -101,7 +100,7 @@ inline CrackMeasures crack_measures(const DamageSamples& samples, const CrackCou
   std::vector<detail::RadiusAndArea> all, near_x, near_y;
   CrackMeasures result;
   for (std::size_t i = 0; i < n; ++i) {
-    const double dx = std::abs(samples.x[i] - samples.centre_x), dy = std::abs(samples.y[i] - samples.centre_y);
+    const double dx = std::abs(samples.x[i]), dy = std::abs(samples.y[i]);
     radius[i] = std::hypot(dx, dy);
     if (samples.crushing[i] > count.threshold) result.crushed_area += count.multiplicity * samples.area[i];
     if (!(samples.damage[i] > count.threshold)) continue;

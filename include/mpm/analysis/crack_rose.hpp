@@ -16,7 +16,7 @@ inline std::vector<double> crack_rose(const DamageSamples& samples, const CrackC
   std::vector<std::vector<detail::RadiusAndArea>> damaged(static_cast<std::size_t>(sectors));
   for (std::size_t i = 0; i < samples.x.size(); ++i) {
     if (!(samples.damage[i] > count.threshold)) continue;
-    const double dx = samples.x[i] - samples.centre_x, dy = samples.y[i] - samples.centre_y;
+    const double dx = samples.x[i], dy = samples.y[i];
     const auto put = [&](double x, double y) {
       const double turn = std::atan2(y, x) / width + sectors;
       damaged[static_cast<std::size_t>(std::lround(turn)) % damaged.size()].push_back(

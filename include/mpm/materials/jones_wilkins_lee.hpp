@@ -8,7 +8,7 @@ namespace mpm {
 
 /// How an explosive turns into gas.
 enum class Burn {
-  constant_volume,  ///< all at once at the start; right where the front runs out of the plane computed
+  constant_volume,  ///< a particle all at once: right where the front runs out of the plane computed
   programmed        ///< from the lighting time of each particle, at the detonation velocity
 };
 
@@ -38,7 +38,7 @@ struct JonesWilkinsLee {
     V pressure{};       ///< F p + q, compression positive, Pa
     V energy{};         ///< E per initial volume, J/m3
     V burned{};         ///< burned fraction F
-    V lighting_time{};  ///< s; min over the detonators of t_d + |x - x_d|/D, set by the program
+    V lighting_time{};  ///< s; min over the detonators of t_d + |x - x_d|/D, set by the program: `unlit`
   };
   static constexpr std::array history{"energy", "burned", "lighting_time"};
 
@@ -47,6 +47,9 @@ struct JonesWilkinsLee {
     const V burned(burn == Burn::constant_volume ? 1 : 0), energy(initial_energy);
     return {burned * pressure(V(1), energy), energy, burned, V(0)};
   }
+
+  /// State of explosive that nothing has lit before `time`, s.
+  State<double> unlit(double time) const { return {0, initial_energy, 0, time}; }
 
   /// Pressure of the products, Pa.
   template <class V>
@@ -135,7 +138,7 @@ struct JonesWilkinsLee {
   /// compression burn (Wilkins 1964).
   template <class V>
   V burned_fraction(const State<V>& s, const Increment<V>& step) const {
-    if (burn == Burn::constant_volume) return s.burned;
+    if (burn == Burn::constant_volume) return select(step.time < s.lighting_time, s.burned, V(1));
     const V by_time = max(step.time - s.lighting_time, V(0)) * V(detonation_velocity) / (V(1.5) * step.cell);
     const V by_volume = (V(1) - step.J) / V(1 - chapman_jouguet_volume);
     return min(V(1), max(s.burned, max(by_time, by_volume)));
