@@ -123,19 +123,18 @@ Parameters stages(Scene& s) {
   };
 }
 
-[[noreturn]] void fail(const char* key, double value, const char* unit, const std::string& problem) {
-  throw InputError(std::string(key) + " = " + mpm::io::format_quantity(value, unit) + ": " + problem);
-}
-
-std::string millimetres(double metres) {
-  return mpm::io::format_quantity(metres, "mm");
-}
-
 [[noreturn]] void fail(const char* key, const std::vector<double>& values, const char* unit,
                        const std::string& problem) {
   std::string text;
   for (const double value : values) text += (text.empty() ? "" : ", ") + mpm::io::format_quantity(value, unit);
   throw InputError(std::string(key) + " = " + (text.empty() ? "none" : text) + ": " + problem);
+}
+[[noreturn]] void fail(const char* key, double value, const char* unit, const std::string& problem) {
+  fail(key, std::vector{value}, unit, problem);
+}
+
+std::string millimetres(double metres) {
+  return mpm::io::format_quantity(metres, "mm");
 }
 
 void check_holes(const Scene& s) {

@@ -16,14 +16,15 @@ namespace {
 /// The larger stress is along y.
 enum class Line { along, across };
 
-/// Two holes `spacing` apart, m; the second one fired `delay` after the first, s.
+/// Two holes `spacing` apart, m; the second one fired `delay` after the first, s, and 300 us before the end.
 Case pair(double spacing, Line line, double delay = 0) {
   auto scene = scene_of({10, 40}, true);
+  scene.block.side = 4;
   scene.hole.x = scene.hole.y = {0, 0};
   (line == Line::across ? scene.hole.x : scene.hole.y) = {-spacing / 2, spacing / 2};
   scene.output.probes = {};
   auto name = std::string("two-") + (line == Line::across ? "across-" : "along-") + fixed(1e3 * spacing, 0);
-  if (delay > 0) scene.charge.delay = {0, delay}, name += "-delay-" + fixed(1e6 * delay, 0);
+  if (delay > 0) scene.charge.delay = {0, delay}, scene.end_time += delay, name += "-delay-" + fixed(1e6 * delay, 0);
   return {name, scene};
 }
 
@@ -109,7 +110,7 @@ void hole_pairs(Report& report) {
   TableOf table{{"Spacing, mm", "along the larger stress", "across it"}, {}};
   std::vector<Tile> tiles;
   double farthest[2] = {0, 0};
-  for (const double spacing : {1.2, 1.4, 1.6, 1.8, 2.0}) {
+  for (const double spacing : {1.4, 1.6, 1.7, 1.8, 1.9}) {
     std::vector<std::string> row{fixed(1e3 * spacing, 0)};
     for (const Line line : {Line::along, Line::across}) {
       const auto blast = completed(pair(spacing, line), report);
@@ -136,16 +137,16 @@ void hole_pairs(Report& report) {
   report.findings.push_back(
       {"Section 4.3: holes set along the larger stress (k = .25) join their cracks at a larger spacing than across it",
        "up to " + fixed(1e3 * farthest[0], 0) + " mm along, " + fixed(1e3 * farthest[1], 0) +
-           " mm across, of 1200, 1400, 1600, 1800, 2000",
+           " mm across, of 1400, 1600, 1700, 1800, 1900",
        farthest[0] > farthest[1]});
   auto& page = report.page;
   page.section("Two holes", "pairs");
   page.figure(report.folder, "pairs.png",
-              "Two holes, 10 MPa along x and 40 MPa along y, cells of 20 mm, at 300 us: fired at once, but the last.");
+              "Two holes, 10 MPa along x and 40 MPa along y, cells of 20 mm, 300 us after the last is fired.");
   page.text(
       "Fired at once: how far from each hole towards the other broken rock (damage beyond .5) hangs together, mm.");
   page.table(table);
-  page.text("Across the larger stress, 1400 mm apart, to 300 us after the first:");
+  page.text("Across the larger stress, 1400 mm apart, 300 us after the second is fired:");
   page.table(fired);
 }
 
