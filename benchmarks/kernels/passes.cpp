@@ -80,7 +80,7 @@ void plain_update(benchmark::State& state) {
   Pass<Shape, S> c(state);
   constexpr bool move = Shape::domain_motion != DomainMotion::corners;
   const ChunkList all(c.body.size());
-  std::vector<double> partial;
+  std::vector<StrainWork> partial;
   std::vector<StepLimits<double>> limits;
   for (auto _ : state) {
     gather_velocity(c.body, all, c.grid, Usl{});

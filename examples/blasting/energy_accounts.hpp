@@ -34,15 +34,16 @@ std::map<std::string, double> energies(Solver& solver, const Scene& scene, doubl
 
 /// Where the charge's energy is, J per metre of the full plane, since the rock was at rest.
 struct Ledger {
-  double charge = 0;    ///< still in the products
-  double air = 0;       ///< internal energy
-  double kinetic = 0;   ///< of all bodies
-  double elastic = 0;   ///< in the rock
-  double fracture = 0;  ///< spent in opening cracks
-  double crushing = 0;  ///< spent in crushing, and by bulk viscosity in the rock: the rest of the work done on it
-  double boundary = 0;  ///< gone through the outer faces
+  double charge = 0;     ///< still in the products
+  double air = 0;        ///< internal energy
+  double kinetic = 0;    ///< of all bodies
+  double elastic = 0;    ///< in the rock
+  double fracture = 0;   ///< spent in opening cracks
+  double viscosity = 0;  ///< spent by bulk viscosity in the rock
+  double crushing = 0;   ///< spent in crushing the rock: the rest of the work done on it
+  double boundary = 0;   ///< gone through the outer faces
 
-  double sum() const { return charge + air + kinetic + elastic + fracture + crushing + boundary; }
+  double sum() const { return charge + air + kinetic + elastic + fracture + viscosity + crushing + boundary; }
 };
 
 /// The ledger of a state; `elastic` and `air` are not yet since the start.
@@ -51,6 +52,7 @@ Ledger ledger(Solver& solver, const Scene& scene) {
   Ledger sum;
   solver.for_bodies([&](const auto& body) {
     sum.kinetic += mpm::kinetic_energy(body);
+    if (body.name == "rock") sum.viscosity = body.viscous_work;
     for (std::size_t p = 0; p < body.size(); ++p) {
       const auto state = body.state(p);
       const double V0 = body.mass()[p] / body.law.density;
@@ -63,7 +65,8 @@ Ledger ledger(Solver& solver, const Scene& scene) {
     }
   });
   sum.boundary = -solver.boundary.work();
-  for (double* value : {&sum.charge, &sum.air, &sum.kinetic, &sum.elastic, &sum.fracture, &sum.boundary})
+  for (double* value :
+       {&sum.charge, &sum.air, &sum.kinetic, &sum.elastic, &sum.fracture, &sum.viscosity, &sum.boundary})
     *value *= multiplicity(scene);
   return sum;
 }

@@ -196,6 +196,7 @@ class Recorder {
                                         {"kinetic", "J/m"},
                                         {"elastic", "J/m"},
                                         {"fracture", "J/m"},
+                                        {"viscosity", "J/m"},
                                         {"crushing", "J/m"},
                                         {"boundary", "J/m"},
                                         {"loss", "J/m"}}) {}
@@ -266,11 +267,12 @@ class Recorder {
     Ledger now = ledger(solver, scene_);
     if (solver.steps == 0) start_ = now;
     now.air -= start_.air, now.elastic -= start_.elastic;
-    now.crushing = multiplicity(scene_) * solver.template body<0>().stress_work - now.elastic - now.fracture;
+    now.crushing =
+        multiplicity(scene_) * solver.template body<0>().stress_work - now.elastic - now.fracture - now.viscosity;
     const double loss = charge_energy_ - now.sum();
     largest_loss_ = std::max(largest_loss_, std::abs(loss));
     ledger_.row(std::vector<double>{solver.time, now.charge, now.air, now.kinetic, now.elastic, now.fracture,
-                                    now.crushing, now.boundary, loss});
+                                    now.viscosity, now.crushing, now.boundary, loss});
   }
 
   const Scene& scene_;

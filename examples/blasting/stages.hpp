@@ -170,7 +170,7 @@ BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, mpm::Body<CpdiQuad
     if (rock.x(0)[p] + rock.x(1)[p] > rock.x(0)[far] + rock.x(1)[far]) far = p;
   const double density = rock.mass()[far] / rock.volume()[far];
   const auto moduli = rock.law.tangent(rock.state(far), rock.relative_volume(far));
-  rock.stress_work = 0;
+  rock.stress_work = rock.viscous_work = 0;
   BlastSolver<Rock, Integrator> solver(background(scene), std::move(rock), make_charge(scene), make_air(scene));
   solver.safety = scene.step.safety;
   solver.integrator.flip = scene.step.flip;

@@ -15,12 +15,14 @@ Axes shares(const Blast& blast, const std::string& title) {
   const std::pair<const char*, const char*> parts[] = {{"charge", "left in the products"},
                                                        {"kinetic", "kinetic"},
                                                        {"elastic", "elastic in the rock"},
-                                                       {"crushing", "crushing, viscosity"},
+                                                       {"crushing", "crushing"},
+                                                       {"viscosity", "viscosity"},
                                                        {"fracture", "opening cracks"},
                                                        {"boundary", "gone through the sides"},
                                                        {"loss", "missing"}};
   for (const auto& [column, text] : parts) {
     Curve curve{.name = text};
+    if (std::string(column) == "loss") curve.style = "lines dashtype 2 linewidth 2";  // there are seven colours
     for (const double t : ledger.at("time")) curve.x.push_back(1e6 * t);
     for (const double e : ledger.at(column)) curve.y.push_back(100 * e / charge);
     axes.curves.push_back(curve);

@@ -56,7 +56,8 @@ class Body {
   std::string name = "body";
   Shape shape;
   Law law;
-  double stress_work = 0;  ///< sum of V sigma : D dt since the start, J
+  double stress_work = 0;   ///< sum of V sigma : D dt since the start, J
+  double viscous_work = 0;  ///< the part that the law's bulk viscosity took, to first order in dt
 
   Body() = default;
   Body(std::string body_name, Shape body_shape, Law body_law)

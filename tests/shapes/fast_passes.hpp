@@ -89,6 +89,7 @@ class FastPasses : public ::testing::Test {
             << "column " << c << " of particle " << p;
     }
     EXPECT_NEAR(plain.stress_work, fast.stress_work, round_off * std::abs(plain.stress_work));
+    EXPECT_NEAR(plain.viscous_work, fast.viscous_work, round_off * std::abs(plain.viscous_work));
   }
 };
 
@@ -151,7 +152,7 @@ TYPED_TEST_P(FastPasses, MoveAndStrainAsThePlainOnesDo) {
   this->disturb_nodes();
   constexpr bool move = TestFixture::B::Shape::domain_motion != DomainMotion::corners;
   const Usl blend{.flip = .9};
-  std::vector<double> partial;
+  std::vector<StrainWork> partial;
   std::vector<StepLimits<Real>> limits;
 
   auto plain = this->body, fast = this->body;

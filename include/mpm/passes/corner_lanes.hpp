@@ -229,7 +229,7 @@ std::size_t follow_corners(Body& body, const ChunkList& particles) {
 /// and volumes follow their corners later.
 template <bool Blend, Strained strained, class Body, class Integrator, class S = typename Body::SpaceType>
 std::size_t update(Body& body, const ChunkList& chunks, const CornerNodes<S>& corners, double cell,
-                   const Integrator& integrator, double time, double dt, std::vector<double>& partial,
+                   const Integrator& integrator, double time, double dt, std::vector<StrainWork>& partial,
                    std::vector<StepLimits<double>>& limits) {
   using V = typename Body::Lane;
   using Word = detail::Word<double>;
@@ -281,7 +281,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const CornerNodes<S>& co
     } else {
       limits[chunk / chunk_size].speed = limit.speed;
     }
-    return double(total(strained_chunk.work));
+    return strained_chunk.work();
   });
 }
 

@@ -108,7 +108,7 @@ struct Seen {
 template <bool Blend, Strained strained, bool Move, class Body, class Integrator, class S = typename Body::SpaceType>
 std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, const std::vector<Vector<S>>& first_field,
                    const std::vector<Vector<S>>& second_field, const Integrator& integrator, typename S::Scalar time,
-                   typename S::Scalar dt, std::vector<double>& partial,
+                   typename S::Scalar dt, std::vector<StrainWork>& partial,
                    std::vector<StepLimits<typename S::Scalar>>& limits) {
   using V = typename Body::Lane;
   using Record = detail::GatherRecord<S>;
@@ -118,7 +118,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, con
     LoopLaw<Body> law = body.law;
     typename detail::WeightsOf<Body>::Type w;
     StepLimits<typename S::Scalar> limit{.known = true};
-    double work = 0;
+    StrainWork work;
     if (!w.compute(body, first, size, grid)) {
       for (std::size_t p = first; p < first + std::size_t(size); ++p) {
         if constexpr (Blend) gather_velocity(body, p, grid, integrator);
@@ -148,7 +148,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const Grid<S>& grid, con
               value[Record::word(1)][std::size_t(Record::slot(1) + d)], integrator, dt, strained_chunk.limits);
       }
       if constexpr (strained != Strained::none) strained_chunk.report(first, size, bad);
-      work = double(total(strained_chunk.work));
+      work = strained_chunk.work();
       limit = over_lanes(strained_chunk.limits);
     }
     if constexpr (strained != Strained::none) {

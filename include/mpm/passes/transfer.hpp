@@ -322,7 +322,7 @@ class Transfer {
   std::vector<Scalar> scratch_;
   std::conditional_t<by_corners, CornerNodes<S>, NodalFields<S>> corners_;
   std::conditional_t<mean_dilatation<Shape>, CellDilatation<S>, OwnDilatation> dilatation_;
-  std::vector<double> partial_;
+  std::vector<StrainWork> partial_;
   std::vector<StepLimits<Scalar>> limits_;                ///< of every chunk
   std::vector<detail::GridStiffness<Scalar>> stiffness_;  ///< of every chunk
   std::vector<Scalar> motion_;                            ///< of every chunk since then, m

@@ -41,6 +41,7 @@ void ride(Body& body, std::size_t p, const Out& stencil, const Nodes& nodes, Sca
 template <class V>
 struct StrainResult {
   V work;
+  V viscous;  ///< the part of the work that bulk viscosity took
   decltype(V() < V()) unsound;
 };
 
@@ -75,9 +76,12 @@ template <class V, class Body, class Scalar = typename Body::Scalar>
   const V work = V(0.5) * (old_volume + new_volume) * inner(mean, D) * V(dt);
 
   const auto moduli = law.tangent(state, step.J);
-  V specific = new_volume / load<V>(body.mass() + p);
+  V specific = new_volume / load<V>(body.mass() + p), viscous(0);
   if constexpr (requires { law.viscosity; }) {
-    const V factor = law.viscosity.step_factor(sqrt(moduli.longitudinal * specific), trace(L), V(cell));
+    const V c = sqrt(moduli.longitudinal * specific), rate_of_volume = trace(L);
+    viscous =
+        V(-dt) * rate_of_volume * new_volume * law.viscosity.pressure(V(1) / specific, c, rate_of_volume, V(cell));
+    const V factor = law.viscosity.step_factor(c, rate_of_volume, V(cell));
     specific = specific / (factor * factor);
   }
   const V lambda = max(moduli.longitudinal - V(2) * moduli.shear, V(0)) * specific, shear = moduli.shear * specific;
@@ -90,23 +94,31 @@ template <class V, class Body, class Scalar = typename Body::Scalar>
       limits.raise(limits.lambda, select(meant, lambda, none));
       limits.raise(limits.shear, select(meant, shear, none));
       limits.raise(limits.rate, select(meant, rate, none));
-      return {select(meant, work, none), meant && unsound};
+      return {select(meant, work, none), select(meant, viscous, none), meant && unsound};
     }
   }
   limits.raise(limits.lambda, lambda);
   limits.raise(limits.shear, shear);
   limits.raise(limits.rate, rate);
-  return {work, unsound};
+  return {work, viscous, unsound};
 }
 
 template <class Body>
 std::size_t chunk_count(const Body& body) {
   return (body.size() + chunk_size - 1) / chunk_size;
 }
+/// Work done on particles, J, and the part of it that bulk viscosity took.
+struct StrainWork {
+  double total = 0, viscous = 0;
+  StrainWork& operator+=(const StrainWork& other) {
+    total += other.total, viscous += other.viscous;
+    return *this;
+  }
+};
 /// Calls f(first, count, bad) for every chunk; it returns the work done and lowers `bad` to a particle whose state is
 /// no longer sound. The work is added to the body's in a fixed order. Returns the first bad particle, or body.size().
 template <class Body, class F>
-std::size_t sum_work(Body& body, const ChunkList& chunks, std::vector<double>& partial, const F& f) {
+std::size_t sum_work(Body& body, const ChunkList& chunks, std::vector<StrainWork>& partial, const F& f) {
   partial.resize(chunks.size());
   std::int64_t bad = std::int64_t(body.size());
 #pragma omp parallel for schedule(static) reduction(min : bad) if (chunks.worth_threads())
@@ -114,9 +126,10 @@ std::size_t sum_work(Body& body, const ChunkList& chunks, std::vector<double>& p
     const std::size_t k = std::size_t(c);
     partial[k] = f(chunks.first(k), chunks.count(k), bad);
   }
-  double work = 0;
-  for (double w : partial) work += w;
-  body.stress_work += work;
+  StrainWork work;
+  for (const auto& w : partial) work += w;
+  body.stress_work += work.total;
+  body.viscous_work += work.viscous;
   return std::size_t(bad);
 }
 
@@ -124,16 +137,18 @@ std::size_t sum_work(Body& body, const ChunkList& chunks, std::vector<double>& p
 template <class V>
 struct ChunkStrain {
   using Mask = decltype(V() < V());
-  V work{0};
+  V total_work{0}, viscous_work{0};
   StepLimits<V> limits{.known = true};
   Mask unsound[chunk_size / lane_count<V>], found{};
 
   /// Takes in the result of the register from entry `l` of the chunk on.
   void add(int l, const StrainResult<V>& result) {
-    work += result.work;
+    total_work += result.work;
+    viscous_work += result.viscous;
     unsound[l / lane_count<V>] = result.unsound;
     found = found || result.unsound;
   }
+  StrainWork work() const { return {double(total(total_work)), double(total(viscous_work))}; }
   /// Lowers `bad` to the first unsound particle of the chunk of `size` particles that begins with `first`.
   void report(std::size_t first, int size, std::int64_t& bad) const {
     if (!any(found)) return;
@@ -145,9 +160,9 @@ struct ChunkStrain {
 /// Strains one particle with the nodal velocities; see update_stress.
 template <bool Move, class Body, class Nodes, class Dilatation, class S = typename Body::SpaceType,
           class Scalar = typename S::Scalar>
-double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::vector<Vector<S>>& velocity,
-                     const Dilatation& dilatation, Scalar cell, Scalar time, Scalar dt, std::int64_t& bad,
-                     StepLimits<Scalar>& limits) {
+StrainWork update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::vector<Vector<S>>& velocity,
+                         const Dilatation& dilatation, Scalar cell, Scalar time, Scalar dt, std::int64_t& bad,
+                         StepLimits<Scalar>& limits) {
   const auto stencil = make_stencil(body, p, nodes);
   const auto L = dilatation(p, velocity_gradient<S>(stencil, velocity, body.x(0)[p]));
   const auto result = strain(body, body.law, p, 1, L, cell, time, dt, limits);
@@ -155,7 +170,7 @@ double update_stress(Body& body, std::size_t p, const Nodes& nodes, const std::v
   if constexpr (Move) {
     ride<S>(body, p, stencil, nodes, dt, limits);
   }
-  return double(result.work);
+  return {double(result.work), double(result.viscous)};
 }
 
 /// Strains every particle of the chunks with the nodal velocities, moves its volume (and F) along, and calls the law.
@@ -170,11 +185,11 @@ template <bool Move, class Body, class Nodes, class Dilatation, class S = typena
           class Scalar = typename S::Scalar>
 std::size_t update_stress(Body& body, const ChunkList& chunks, const Nodes& nodes,
                           const std::vector<Vector<S>>& velocity, const Dilatation& dilatation, Scalar cell,
-                          Scalar time, Scalar dt, std::vector<double>& partial,
+                          Scalar time, Scalar dt, std::vector<StrainWork>& partial,
                           std::vector<StepLimits<Scalar>>& limits) {
   limits.resize(chunk_count(body));
   return sum_work(body, chunks, partial, [&](std::size_t first, int count, std::int64_t& bad) {
-    double sum = 0;
+    StrainWork sum;
     StepLimits<Scalar> limit{.known = true};
     for (std::size_t p = first; p < first + std::size_t(count); ++p)
       sum += update_stress<Move>(body, p, nodes, velocity, dilatation, cell, time, dt, bad, limit);
