@@ -7,7 +7,7 @@
 
 /// Runs a Python script of this folder on `argument`; its exit status. 77 means: what it needs is not installed.
 inline int run_python(const std::string& script, const std::filesystem::path& argument) {
-  const std::string program = std::string(MPM_TEST_SCRIPTS) + "/" + script;
+  const auto program = std::filesystem::path(MPM_TEST_SCRIPTS) / script;
   const pid_t child = fork();
   if (child == 0) {
     execl(MPM_VTK_PYTHON, MPM_VTK_PYTHON, program.c_str(), argument.c_str(), static_cast<char*>(nullptr));
