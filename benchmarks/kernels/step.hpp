@@ -21,6 +21,7 @@ struct Case {
   double drift = 0;        ///< velocity along x, as a share of the elastic wave's: particles change cells
   int steps_between = 60;  ///< a block that moves is made anew, or it would leave the grid while it is timed
   int threads = 1;
+  int room = 1;  ///< edge of the grid, in those of the block
   std::vector<Layout> layouts{Layout::regular, Layout::jittered};
 };
 
@@ -29,7 +30,7 @@ void step(benchmark::State& state, const Case<Law, Integrator>& c) {
   program::use_threads(c.threads);
   const int cells = cells_for<S>(c.per_edge, c.particles);
   std::array<int, S::dimension> count;
-  count.fill(cells + 4);
+  count.fill(c.room * (cells + 4));
   const Grid<S> grid(Vector<S>::Zero(), 1, count);
   auto body = block<Shape, Law, S>(cells, c.per_edge, Layout(state.range(0)), c.law);
   if (c.damaging)

@@ -12,6 +12,7 @@ void add_ugimp() {
     add<Ugimp, Hypoelastic, Usl>("uGIMP, " + std::to_string(edge) + " an edge", {.per_edge = edge});
   add<Ugimp, Hypoelastic, Usl>("uGIMP, numbered at random", {.layouts = {Layout::shuffled}});
   add<Ugimp, Hypoelastic, Usl>("uGIMP, a cell in 20 steps", {.drift = .1, .steps_between = 30});
+  add<Ugimp, Hypoelastic, Usl>("uGIMP, in a grid of 100 times its area", {.room = 10, .layouts = {Layout::regular}});
   add<Ugimp, Hypoelastic, Usl>("uGIMP, 2 threads", {.threads = 2});
   add<Ugimp, Hypoelastic, Musl>("uGIMP, MUSL");
   add<Ugimp, Hypoelastic, Fmpm>("uGIMP, FMPM(2)");

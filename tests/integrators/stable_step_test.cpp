@@ -56,6 +56,16 @@ TEST(StableStep, IsThatOfTheFastPassesWithoutThem) {
   EXPECT_GT(longest, 1.2 * shortest);
 }
 
+/// What the last step knew of the particles does not hold for one that has come since.
+TEST(StableStep, CountsAParticleAddedBetweenSteps) {
+  auto solver = block<Ugimp, Usl, PlaneStrain<>>(9);
+  const double before = solver.step(), speed = 100 * sound_speed();
+  solver.body().add({3.3 * cell, 3.3 * cell}, cell * cell / 4, {speed, 0});
+  const double after = solver.step();
+  EXPECT_LT(after, before / 10);
+  EXPECT_LE(after, solver.safety * cell / 2 / speed);
+}
+
 /// Largest stress, in the starting one, over 400 steps of a single particle in the middle of a cell.
 template <class IntegratorT>
 double growth(double share_of_irons) {

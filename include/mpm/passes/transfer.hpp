@@ -60,12 +60,15 @@ class Transfer {
     const bool settled =
         may_settle && limits_.size() == chunk_count(body) && strayed_ < Scalar(detail::slack<Shape>) * grid.cell();
     if (!settled) strayed_ = 0;
+    const bool grown = order_.key.size() != body.size();
     const Relocated changed = mpm::locate(body, grid, order_, settled);
+    StepLimits<Scalar> limits_of_all;  // not known
     if (changed == Relocated::order) {
       columns_.permute({order_.permutation.data(), body.size()}, scratch_);
+      if (!grown) limits_of_all = over_chunks(limits_);
       forget();
     }
-    limits_.resize(chunk_count(body));
+    limits_.resize(chunk_count(body), limits_of_all);
     if constexpr (by_corners) {
       if (changed != Relocated::nothing) corners_.choose(body.shape, order_.chunks);
       corners_.locate(body.shape.corner, grid);

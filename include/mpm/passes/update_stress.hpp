@@ -26,6 +26,18 @@ StepLimits<T> over_lanes(const StepLimits<Lanes<T, N>>& l) {
   return {largest(l.lambda), largest(l.shear), largest(l.rate), largest(l.speed), l.known};
 }
 
+/// Limits that hold for any particle of the chunks, whichever it is in.
+template <class V>
+StepLimits<V> over_chunks(const std::vector<StepLimits<V>>& chunks) {
+  StepLimits<V> all{.known = !chunks.empty()};
+  for (const auto& l : chunks) {
+    all.raise(all.lambda, l.lambda), all.raise(all.shear, l.shear);
+    all.raise(all.rate, l.rate), all.raise(all.speed, l.speed);
+    all.known = all.known && l.known;
+  }
+  return all;
+}
+
 /// A particle rides the nodes: x_p += dt sum w_Ip v_I.
 template <class S, class Body, class Out, class Nodes, class Scalar = typename S::Scalar>
 void ride(Body& body, std::size_t p, const Out& stencil, const Nodes& nodes, Scalar dt, StepLimits<Scalar>& limits) {
