@@ -24,8 +24,8 @@ class CornerNodes : public NodalFields<S> {
 
   /// Two vectors of a corner in one word: momentum and force on the way to the grid, two fields of it on the way back.
   /// The passes in lanes work on these, the plain ones on the fields.
-  struct alignas(32) Pair {
-    std::array<double, 4> value{};
+  struct alignas(4 * sizeof(Scalar)) Pair {
+    std::array<Scalar, 4> value{};
   };
   std::vector<Pair> pair;
 

@@ -38,11 +38,12 @@ template <class T>
 using Word = Native<T, 4>;
 
 /// Its numbers without their signs.
-[[gnu::always_inline]] inline void magnitude(const Word<double>& a, Word<double>& out) {
-  using Bits = Native<std::int64_t, 4>;
-  Bits bits;
+template <class T>
+[[gnu::always_inline]] inline void magnitude(const Word<T>& a, Word<T>& out) {
+  using Integer = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
+  Native<Integer, 4> bits;
   std::memcpy(&bits, &a, sizeof(a));
-  bits &= std::numeric_limits<std::int64_t>::max();
+  bits &= std::numeric_limits<Integer>::max();
   std::memcpy(&out, &bits, sizeof(out));
 }
 /// Two vectors of the plane in one word.

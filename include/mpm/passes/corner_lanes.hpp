@@ -17,16 +17,18 @@ using namespace mpm::detail;
 template <class S, bool with_mass>
 class EdgeSums {
  public:
+  using Scalar = typename S::Scalar;
+
   explicit EdgeSums(CornerNodes<S>& corners) : corners_(corners) {}
   EdgeSums(const EdgeSums&) = delete;
   ~EdgeSums() {
     if (open_) close();
   }
   /// `part` and `mass` by corner: 0 and 3 on the edge behind, 1 and 2 on the one ahead.
-  [[gnu::always_inline]] void add(const std::array<std::uint32_t, 4>& quad, const Word<double>* part,
-                                  const Word<double>& mass) {
-    Word<double> behind[2] = {part[0], part[3]};
-    double mass_behind[2] = {mass[0], mass[3]};
+  [[gnu::always_inline]] void add(const std::array<std::uint32_t, 4>& quad, const Word<Scalar>* part,
+                                  const Word<Scalar>& mass) {
+    Word<Scalar> behind[2] = {part[0], part[3]};
+    Scalar mass_behind[2] = {mass[0], mass[3]};
     if (open_ && quad[0] == ahead_[0] && quad[3] == ahead_[1]) {
       for (int e = 0; e < 2; ++e) behind[e] += sum_[e], mass_behind[e] += mass_[e];
     } else if (open_) {
@@ -41,8 +43,8 @@ class EdgeSums {
   }
 
  private:
-  [[gnu::always_inline]] void give(std::size_t corner, const Word<double>& part, double mass) {
-    Word<double> sum;
+  [[gnu::always_inline]] void give(std::size_t corner, const Word<Scalar>& part, Scalar mass) {
+    Word<Scalar> sum;
     auto& own = corners_.pair[corner].value;
     std::memcpy(&sum, own.data(), sizeof(sum));
     sum += part;
@@ -55,8 +57,8 @@ class EdgeSums {
 
   CornerNodes<S>& corners_;
   std::size_t ahead_[2]{};
-  Word<double> sum_[2]{};
-  double mass_[2]{};
+  Word<Scalar> sum_[2]{};
+  Scalar mass_[2]{};
   bool open_ = false;
 };
 
@@ -67,7 +69,8 @@ template <What what, class Body, class Force, class S = typename Body::SpaceType
 std::size_t scatter(const Body& body, const ParticleOrder& order, CornerNodes<S>& corners, const Force& body_force,
                     double time) {
   using V = typename Body::Lane;
-  using Word = detail::Word<double>;
+  using Scalar = typename S::Scalar;
+  using Word = detail::Word<Scalar>;
   constexpr bool force = gives_forces<what>, velocity = gives_momentum<what>;
 
   const auto give = [&](std::size_t begin, std::size_t end) {
@@ -111,7 +114,8 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, CornerNodes<S>
 template <class Body, class S = typename Body::SpaceType>
 void scatter_interpolated(const Body& body, const ParticleOrder& order, CornerNodes<S>& corners) {
   using V = typename Body::Lane;
-  using Word = detail::Word<double>;
+  using Scalar = typename S::Scalar;
+  using Word = detail::Word<Scalar>;
   corners.for_each([&](std::size_t c) { corners.pair[c] = {}; });
   const auto give = [&](std::size_t begin, std::size_t end) {
     detail::EdgeSums<S, false> sums(corners);
@@ -145,14 +149,15 @@ void scatter_interpolated(const Body& body, const ParticleOrder& order, CornerNo
 template <bool mass, bool first, bool second, class S, class Masses>
 void scatter_corners(const CornerNodes<S>& corners, Masses& node_mass, std::vector<Vector<S>>& first_field,
                      std::vector<Vector<S>>& second_field) {
-  using Word = detail::Word<double>;
+  using Scalar = typename S::Scalar;
+  using Word = detail::Word<Scalar>;
   corners.for_each_strip([&](std::span<const std::uint32_t> list) {
     for (std::size_t k = 0; k < list.size();) {
       const int cell = corners.anchor(list[k]).node;
       Word sum[4]{}, masses{};
       for (; k < list.size() && corners.anchor(list[k]).node == cell; ++k) {
         const std::size_t c = list[k];
-        const double x = corners.anchor(c).x, y = corners.anchor(c).y;
+        const Scalar x = corners.anchor(c).x, y = corners.anchor(c).y;
         const Word w = Word{1 - x, x, 1 - x, x} * Word{1 - y, 1 - y, y, y};
         Word value;
         std::memcpy(&value, corners.pair[c].value.data(), sizeof(value));
@@ -173,11 +178,12 @@ void scatter_corners(const CornerNodes<S>& corners, Masses& node_mass, std::vect
 template <class S>
 void gather_corners(CornerNodes<S>& corners, const std::vector<Vector<S>>& first,
                     const std::vector<Vector<S>>& second) {
-  using Word = detail::Word<double>;
+  using Scalar = typename S::Scalar;
+  using Word = detail::Word<Scalar>;
   corners.for_each([&](std::size_t c) {
     const auto& anchor = corners.anchor(c);
-    const double x = anchor.x, y = anchor.y;
-    const double w[4] = {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
+    const Scalar x = anchor.x, y = anchor.y;
+    const Scalar w[4] = {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
     Word value{};
     shapes::unrolled<4>([&](auto n) __attribute__((always_inline)) {
       const auto node = std::size_t(anchor.node + n % 2 + n / 2 * corners.stride());
@@ -191,10 +197,10 @@ void gather_corners(CornerNodes<S>& corners, const std::vector<Vector<S>>& first
 
 /// The twin of CpdiQuad::convect for the corners: they ride the first or second of the fields gathered last.
 template <Strained strained, class Shape, class S>
-void move_corners(Shape& shape, const CornerNodes<S>& corners, double dt) {
+void move_corners(Shape& shape, const CornerNodes<S>& corners, typename S::Scalar dt) {
   constexpr std::size_t from = strained == Strained::by_second ? 2 : 0;
   corners.for_each([&](std::size_t c) {
-    for (std::size_t d = 0; d < 2; ++d) shape.corner[c][d] += dt * corners.pair[c].value[from + d];
+    for (std::size_t d = 0; d < 2; ++d) shape.corner[c][d] += double(dt * corners.pair[c].value[from + d]);
   });
 }
 
@@ -215,7 +221,7 @@ std::size_t follow_corners(Body& body, const ChunkList& particles) {
         sound = sound && at >= min(min(x[0], x[1]), min(x[2], x[3])) && at <= max(max(x[0], x[1]), max(x[2], x[3]));
         return at;
       };
-      const V x = centroid(w.x), y = centroid(w.y);
+      const V x = w.origin[0] + centroid(w.x), y = w.origin[1] + centroid(w.y);
       if (any(!sound)) [[unlikely]]
         for (int k = 0; k < size; ++k)
           if (!sound.v[k]) bad = std::min(bad, p + std::size_t(k));
@@ -228,11 +234,12 @@ std::size_t follow_corners(Body& body, const ChunkList& particles) {
 /// The twin of lanes::update for particles that see their own corners, with the two fields in corners.pair. Positions
 /// and volumes follow their corners later.
 template <bool Blend, Strained strained, class Body, class Integrator, class S = typename Body::SpaceType>
-std::size_t update(Body& body, const ChunkList& chunks, const CornerNodes<S>& corners, double cell,
-                   const Integrator& integrator, double time, double dt, std::vector<StrainWork>& partial,
-                   std::vector<StepLimits<double>>& limits) {
+std::size_t update(Body& body, const ChunkList& chunks, const CornerNodes<S>& corners, typename S::Scalar cell,
+                   const Integrator& integrator, typename S::Scalar time, typename S::Scalar dt,
+                   std::vector<StrainWork>& partial, std::vector<StepLimits<typename S::Scalar>>& limits) {
   using V = typename Body::Lane;
-  using Word = detail::Word<double>;
+  using Scalar = typename S::Scalar;
+  using Word = detail::Word<Scalar>;
   constexpr std::size_t from = strained == Strained::by_second ? 2 : 0;
   limits.resize(chunk_count(body));
   return sum_work(body, chunks, partial, [&](std::size_t chunk, int count, std::int64_t& bad) {
@@ -251,7 +258,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const CornerNodes<S>& co
         shapes::unrolled<4>([&](auto c) __attribute__((always_inline)) {
           std::memcpy(&at[c], corners.pair[quad[c]].value.data(), sizeof(Word));
           Word speed;
-          detail::magnitude(at[c], speed);
+          detail::magnitude<Scalar>(at[c], speed);
           fastest = speed > fastest ? speed : fastest;
         });
         sum[k] = weight[k][0] * at[0] + weight[k][1] * at[1] + (weight[k][2] * at[2] + weight[k][3] * at[3]);
@@ -274,7 +281,7 @@ std::size_t update(Body& body, const ChunkList& chunks, const CornerNodes<S>& co
       }
     }
     if constexpr (strained != Strained::none) strained_chunk.report(chunk, count, bad);
-    StepLimits<double> limit = over_lanes(strained_chunk.limits);
+    StepLimits<Scalar> limit = over_lanes(strained_chunk.limits);
     limit.speed = std::max(fastest[from], fastest[from + 1]);
     if constexpr (strained != Strained::none) {
       limits[chunk / chunk_size] = limit;

@@ -5,24 +5,31 @@
 
 namespace mpm::detail {
 
-/// The quadrilaterals of a register of particles, the last of which stands in for those beyond `size`: corners, area,
-/// weights of the corners, and the gradients of the first two; those of the opposite corners are their negatives. See
-/// CpdiQuad::weights.
+/// The quadrilaterals of a register of particles, the last of which stands in for those beyond `size`: corners as seen
+/// from the first, area, weights of the corners, and the gradients of the first two; those of the opposite corners are
+/// their negatives. See CpdiQuad::weights.
 template <class V>
 struct QuadWeights {
-  V x[4], y[4], area, weight[4], gradient[2][2];
+  V origin[2], x[4], y[4], area, weight[4], gradient[2][2];
 
   template <class Shape>
   [[gnu::always_inline]] QuadWeights(const Shape& shape, std::size_t first, int size) {
-    Word<double> low[V::size], high[V::size];  // corners 0 and 1, 2 and 3
+    using Scalar = typename V::Scalar;
+    Word<Scalar> low[V::size], high[V::size];  // corners 0 and 1, 2 and 3; of corner 0 its place
     shapes::unrolled<V::size>([&](auto k) __attribute__((always_inline)) {
       const auto& quad = shape.quad[first + std::size_t(std::min(int(k), size - 1))];
-      join(shape.corner[quad[0]].data(), shape.corner[quad[1]].data(), low[k]);
-      join(shape.corner[quad[2]].data(), shape.corner[quad[3]].data(), high[k]);
+      Word<double> a, b;
+      join(shape.corner[quad[0]].data(), shape.corner[quad[1]].data(), a);
+      join(shape.corner[quad[2]].data(), shape.corner[quad[3]].data(), b);
+      const Word<double> zero{};
+      low[k] = __builtin_convertvector(a - __builtin_shufflevector(a, zero, 4, 4, 0, 1), Word<Scalar>);
+      high[k] = __builtin_convertvector(b - __builtin_shufflevector(a, a, 0, 1, 0, 1), Word<Scalar>);
     });
     const auto a = to_lanes<V>(low), b = to_lanes<V>(high);
-    for (std::size_t c = 0; c < 2; ++c)
-      x[c] = a[2 * c], y[c] = a[2 * c + 1], x[c + 2] = b[2 * c], y[c + 2] = b[2 * c + 1];
+    origin[0] = a[0], origin[1] = a[1];
+    x[0] = y[0] = V(0);
+    x[1] = a[2], y[1] = a[3];
+    x[2] = b[0], y[2] = b[1], x[3] = b[2], y[3] = b[3];
     area = V(0.5) * ((x[2] - x[0]) * (y[3] - y[1]) - (x[3] - x[1]) * (y[2] - y[0]));
     const V p = (x[3] - x[0]) * (y[1] - y[2]) - (x[1] - x[2]) * (y[3] - y[0]);
     const V q = (x[2] - x[3]) * (y[0] - y[1]) - (x[0] - x[1]) * (y[2] - y[3]);
@@ -41,9 +48,12 @@ template <class V, class Body, class S>
   const QuadWeights<V> w(body.shape, first, size);
   const V h(grid.cell());
   const V g1[2] = {w.gradient[0][0] * h, w.gradient[0][1] * h}, g2[2] = {w.gradient[1][0] * h, w.gradient[1][1] * h};
-  const V x = w.weight[0] * w.x[0] + w.weight[1] * w.x[1] + (w.weight[2] * w.x[2] + w.weight[3] * w.x[3]);
-  const V y = w.weight[0] * w.y[0] + w.weight[1] * w.y[1] + (w.weight[2] * w.y[2] + w.weight[3] * w.y[3]);
-  return Cpdi::modes_of_corners(grid, x, y, w.x, w.y, w.weight, g1, g2, out);
+  V x[4], y[4];
+  for (int c = 0; c < 4; ++c) x[c] = w.origin[0] + w.x[c], y[c] = w.origin[1] + w.y[c];
+  const auto centroid = [&](const V* at) {
+    return w.weight[0] * at[0] + w.weight[1] * at[1] + (w.weight[2] * at[2] + w.weight[3] * at[3]);
+  };
+  return Cpdi::modes_of_corners(grid, centroid(x), centroid(y), x, y, w.weight, g1, g2, out);
 }
 
 }  // namespace mpm::detail

@@ -182,7 +182,7 @@ template <class Body, class S, class V>
     const bool fit = body.shape.domain_modes(body, p, grid, modes);
     b = domain_stiffness(modes);
     return fit;
-  } else if constexpr (std::is_same_v<Shape, CpdiQuad> && std::is_same_v<typename S::Scalar, double>) {
+  } else if constexpr (std::is_same_v<Shape, CpdiQuad>) {
     DomainModes<V> modes;
     const bool fit = quad_modes(body, p, V::size, grid, modes);
     b = domain_stiffness(modes);

@@ -44,7 +44,7 @@ class Transfer {
       (HasModes<Body> || HasDomainModes<Body>)&&column_count == 0 && !mean_dilatation<Shape>;
   /// Weights along axes tell a scatter at once how stiff the grid is to the particles.
   static constexpr bool sees_stiffness = in_modes && HasModes<Body> && IntegratorT::step_interval == 1;
-  static constexpr bool corners_in_lanes = std::is_same_v<Shape, CpdiQuad> && std::is_same_v<Scalar, double>;
+  static constexpr bool corners_in_lanes = std::is_same_v<Shape, CpdiQuad>;
 
   static constexpr bool domains_change = Shape::domain_motion != DomainMotion::rigid;
   /// Domains are looked at again only when they may have drifted out of their places; not so where F changes between
@@ -297,7 +297,7 @@ class Transfer {
       const std::size_t bad = lanes::scatter<what>(body, order_, corners_, body_force, time);
       if (loaded)
         body.shape.load_surface([&](std::size_t c, const std::array<double, 2>& f) {
-          for (std::size_t d = 0; d < 2; ++d) corners_.pair[c].value[2 + d] += f[d];
+          for (std::size_t d = 0; d < 2; ++d) corners_.pair[c].value[2 + d] += Scalar(f[d]);
         });
       lanes::scatter_corners<gives_mass<what>, gives_momentum<what>, gives_forces<what>>(corners_, grid.mass, momentum,
                                                                                          grid.increment);

@@ -26,9 +26,8 @@ struct Cpdi {
     static_assert(S::dimension < 3, "mpm::Cpdi is for one and two dimensions; take mpm::Cpgimp in three");
     const auto F = body.F(p);
     if constexpr (S::dimension == 1) {
-      const Scalar r = F.xx * Scalar(half_size[0]);
-      end_point(grid, body.x(0)[p] - r, -1 / (2 * r), out);
-      end_point(grid, body.x(0)[p] + r, 1 / (2 * r), out);
+      const Scalar r = F.xx * Scalar(half_size[0]), x = body.x(0)[p];
+      ends(grid, x - r, x + r, 1 / (2 * r), out);
     } else {
       const Scalar l0 = Scalar(half_size[0]), l1 = Scalar(half_size[1]), x = body.x(0)[p], y = body.x(1)[p];
       const Scalar ax = F.xx * l0, ay = F.yx * l0, bx = F.xy * l1, by = F.yy * l1;
@@ -56,6 +55,21 @@ struct Cpdi {
     }
   }
   static constexpr int axis_nodes = 3;
+  /// On a line. Serves segments whose ends lie within a cell of the centre's nearest node.
+  template <class Body, class V>
+  [[gnu::always_inline]] bool modes(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>& grid,
+                                    const std::array<V, 1>& xi, std::array<AxisModes<V, 3>, 1>& out) const {
+    const V l = body.template F<V>(p).xx * V(half_size[0] * double(grid.inverse_cell())), half(0.5);
+    auto& [anchor, weight, slope] = out[0];
+    anchor = truncated(xi[0] + half);
+    const V last(grid.cells(0));
+    const auto a = hats(max(V(0), xi[0] - l), anchor), b = hats(min(last, xi[0] + l), anchor);
+    for (std::size_t k = 0; k < 2; ++k) {
+      weight[k] = half * (a.w[k] + b.w[k]);
+      slope[k] = (b.w[k] - a.w[k]) * half / l;
+    }
+    return a.near && b.near;
+  }
   /// In the plane. Serves domains whose corners lie within a cell of the centre's nearest node; `stencil` serves all.
   template <class Body, class V>
   [[gnu::always_inline]] bool domain_modes(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>& grid,
@@ -80,7 +94,7 @@ struct Cpdi {
     Hats<V> a[4], b[4];
     bool near = true;
     for (int c = 0; c < 4; ++c) {
-      a[c] = hats(grid, 0, cx[c], out.anchor[0]), b[c] = hats(grid, 1, cy[c], out.anchor[1]);
+      a[c] = hats(coordinate(grid, 0, cx[c]), out.anchor[0]), b[c] = hats(coordinate(grid, 1, cy[c]), out.anchor[1]);
       near = near && a[c].near && b[c].near;
     }
     out.weight[0] = V(1);
@@ -150,7 +164,8 @@ struct Cpdi {
   }
 
  private:
-  /// Weights that a corner at `x` gives to the nodes below and above an anchor, and whether it is within a cell of it.
+  /// Weights that a corner at `xi`, in cells, gives to the nodes below and above an anchor, and whether it is within a
+  /// cell of it.
   template <class V>
   struct Hats {
     V w[2];
@@ -160,19 +175,26 @@ struct Cpdi {
   static V coordinate(const Grid<S>& grid, int d, const V& x) {
     return max(V(0), min(V(grid.cells(d)), (x - V(grid.origin()[d])) * V(grid.inverse_cell())));
   }
-  template <class V, class S>
-  [[gnu::always_inline]] static Hats<V> hats(const Grid<S>& grid, int d, const V& x,
-                                             const typename V::Integers& anchor) {
-    const V t = coordinate(grid, d, x) - as_lanes<V>(anchor);
+  template <class V>
+  [[gnu::always_inline]] static Hats<V> hats(const V& xi, const typename V::Integers& anchor) {
+    const V t = xi - as_lanes<V>(anchor);
     return {{max(-t, V(0)), max(t, V(0))}, !any(abs(t) > V(1))};
   }
   template <class Scalar>
   using Axis = AxisStencil<Scalar, 2>;
 
-  template <class S, class Out>
-  static void end_point(const Grid<S>& grid, typename S::Scalar x, typename S::Scalar g, Out& out) {
-    const auto a = shapes::hat_axis(grid.coordinate(x, 0), grid.cells(0));
-    for (int i = 0; i < 2; ++i) out.add(a.first + i, a.w[i] / 2, {g * a.w[i]});
+  /// Adds the nodes around both ends of a segment, each once: weights 1/2 N_I, gradients -g N_I and g N_I.
+  template <class S, class Out, class Scalar = typename S::Scalar>
+  static void ends(const Grid<S>& grid, Scalar low, Scalar high, Scalar g, Out& out) {
+    const auto a = shapes::hat_axis(grid.coordinate(low, 0), grid.cells(0));
+    const auto b = shapes::hat_axis(grid.coordinate(high, 0), grid.cells(0));
+    const int apart = b.first - a.first;
+    const auto at = [](const Axis<Scalar>& hat, int i) { return i == 0 || i == 1 ? hat.w[i] : Scalar(0); };
+    for (int i = 0; i < 2 + std::min(apart, 2); ++i) {
+      const int node = i < 2 ? i : apart + i - std::min(apart, 2);  // those further in are not touched
+      const Scalar l = at(a, node), h = at(b, node - apart);
+      out.add(a.first + node, (l + h) / 2, {g * (h - l)});
+    }
   }
   template <class Scalar, class F>
   static void around(const Corner<Scalar>& c, const Axis<Scalar>& a, const Axis<Scalar>& b, const F& f) {
