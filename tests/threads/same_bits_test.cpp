@@ -3,6 +3,7 @@
 #include <mpm/analysis/state_hash.hpp>
 #include <mpm/materials/presets.hpp>
 #include <mpm/mpm.hpp>
+#include <algorithm>
 #include <cmath>
 #ifdef _OPENMP
 #include <omp.h>
@@ -120,9 +121,58 @@ TEST(SameBits, SplinesAndFmpm) {
   expect_same_bits_of_discs<QuadraticBspline>(Fmpm{.order = 2});
   expect_same_bits_of_discs<CpdiQuad>(Fmpm{.order = 2});
 }
+TEST(SameBits, HatsWithEveryExplicitUpdate) {
+  expect_same_bits_of_discs<Linear>(Usf{});
+  expect_same_bits_of_discs<Linear>(Usl{});
+  expect_same_bits_of_discs<Cpdi>(Usf{});
+  expect_same_bits_of_discs<Ugimp>(FullMassFlip{});
+}
 TEST(SameBits, Apic) {
   expect_same_bits_of_discs<QuadraticBspline>(Apic{});
   expect_same_bits_of_discs<CpdiQuad>(Apic{});
+}
+
+/// Rock under its weight between rollers: the relaxation, and the run that goes on from it with what rests asleep.
+TEST(SameBits, RelaxationAndRest) {
+  const auto make = [] {
+    Body<CpdiQuad, Hypoelastic> rock{"rock", {}, {2660, 5e10, .25}};
+    fill(rock, {0, 0}, {1, 1}, .0125);
+    Solver<CpdiQuad, Hypoelastic, DynamicRelaxation<>> solver{Grid<PlaneStrain<>>{{0, 0}, .025, {40, 40}},
+                                                              std::move(rock)};
+    solver.body_force = Vector<PlaneStrain<>>(0, -10);
+    for (const auto [axis, side] : {std::pair{0, 0}, {0, 1}, {1, 0}})
+      solver.boundary.face(axis, side) = Rollers<PlaneStrain<>>{};
+    return solver;
+  };
+  expect_same_bits(make, steps(100));
+  const auto make_kicked = [&] {
+    auto relaxed = make();
+    steps(100)(relaxed);
+    Solver<CpdiQuad, Hypoelastic, Musl> solver{relaxed.grid, relaxed.body()};
+    solver.body_force = relaxed.body_force;
+    solver.boundary = relaxed.boundary;
+    auto& rock = solver.body();
+    for (std::size_t p = 0; p < rock.size(); ++p)
+      if (rock.x(0)[p] + rock.x(1)[p] < .2) rock.v(0)[p] = 1;
+    solver.let_rest(.1);
+    EXPECT_GT(std::ranges::count(solver.grid.asleep, 1), 10);
+    return solver;
+  };
+  expect_same_bits(make_kicked, steps(100));
+}
+
+TEST(SameBits, BallsInSpace) {
+  using S = Spatial<>;
+  const auto make = [] {
+    Body<Cpgimp, NeoHookean, S> balls{"balls", {}, {.density = 1000, .young = 1000, .poisson = .3}};
+    for (const double at : {.3, .7})
+      fill(
+          balls, {0, 0, 0}, {1, 1, 1}, .025, [=](const auto& x) { return (x - Vector<S>::Constant(at)).norm() < .2; },
+          Vector<S>::Constant(at < .5 ? 1 : -1));
+    EXPECT_TRUE(worth_threads(balls.size()));
+    return Solver<Cpgimp, NeoHookean, Usl, S>{Grid<S>{{0, 0, 0}, .05, {20, 20, 20}}, std::move(balls)};
+  };
+  expect_same_bits(make, steps(40));
 }
 
 TEST(StateHash, SeesWhatTheIntegratorKeeps) {
