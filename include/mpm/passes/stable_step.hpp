@@ -125,15 +125,19 @@ template <class V, int K, std::size_t D>
   const V least(negligible_weight<typename V::Scalar>);
   shapes::unrolled<int(D)>([&](auto d) __attribute__((always_inline)) {
     const AxisModes<V, K>& m = modes[d];
-    V weight(0), slope(0), over(0), under(1);  // a fraction: a division takes longer than the rest
+    const auto part = [&](const V& w, const V& dw) __attribute__((always_inline)) {
+      return select(w > least, dw * dw, V(0));
+    };
+    V weight = m.weight[0], slope = m.slope[0];
+    V over = part(weight, slope), under = max(weight, least);  // a fraction: a division takes longer than the rest
     const auto add = [&](const V& w, const V& dw) __attribute__((always_inline)) {
       const V sound = max(w, least);
-      over = over * sound + select(w > least, dw * dw * under, V(0));
+      over = over * sound + part(w, dw) * under;
       under *= sound;
     };
-    shapes::unrolled<AxisModes<V, K>::stored>([&](auto k) __attribute__((always_inline)) {
-      add(m.weight[k], m.slope[k]);
-      weight += m.weight[k], slope += m.slope[k];
+    shapes::unrolled<AxisModes<V, K>::stored - 1>([&](auto k) __attribute__((always_inline)) {
+      add(m.weight[k + 1], m.slope[k + 1]);
+      weight += m.weight[k + 1], slope += m.slope[k + 1];
     });
     if constexpr (K > 2) add(V(1) - weight, slope);  // the anchor's
     b[d] = over / under;
