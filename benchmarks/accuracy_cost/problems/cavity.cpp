@@ -22,7 +22,7 @@ Problem cavity() {
           .title = "Cavity wave, quarter plane: largest error of the peak hoop stress at 2, 5 and 10 radii",
           .variants = variants,
           .quick = {2, 3},
-          .full = {2, 3, 4, 6},
+          .full = {2, 3, 4, 6, 8},
           .configurations = Methods(options_of_variants, settings, run).shape<mpm::CpdiQuad>().take()};
 }
 

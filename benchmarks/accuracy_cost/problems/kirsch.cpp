@@ -28,7 +28,7 @@ Problem kirsch() {
           .title = "Kirsch, k .25, quarter plane: the larger of hoop stress on the wall and stress beyond 3 radii (L2)",
           .variants = {"k .25", "k 1", "k 3"},
           .quick = {1, 2, 3},
-          .full = {1, 2, 3, 4, 6},
+          .full = {1, 2, 3, 4, 6, 8},
           .configurations = std::move(configurations)};
 }
 
