@@ -54,13 +54,13 @@ Ledger ledger(Solver& solver, const Scene& scene) {
     sum.kinetic += mpm::kinetic_energy(body);
     if (body.name == "rock") sum.viscosity = body.viscous_work;
     for (std::size_t p = 0; p < body.size(); ++p) {
-      const auto state = body.state(p);
+      const auto state = body.template state<double>(p);
       const double V0 = body.mass()[p] / body.law.density;
       if constexpr (requires { state.energy; }) {
         (body.name == "charge" ? sum.charge : sum.air) += V0 * state.energy;
       } else {
-        sum.elastic += V0 * mpm::analysis::elastic_energy(body.law, state, body.relative_volume(p));
-        sum.fracture += body.volume()[p] * mpm::analysis::fracture_energy_spent(body.law, state, body.particle_size(p));
+        sum.elastic += V0 * mpm::analysis::elastic_energy(body.law, state, body.template relative_volume<double>(p));
+        sum.fracture += body.volume()[p] * mpm::analysis::fracture_energy_spent(body.law, state, body.template particle_size<double>(p));
       }
     }
   });

@@ -76,17 +76,31 @@ mpm::io::UnstructuredGrid snapshot_of(Solver& solver, const Scene& scene) {
   return grid;
 }
 
+/// Where the wall of a hole is, m from its centre: the mean of its corners, or the innermost square's centre.
+template <class Body>
+double wall_radius(const Body& rock, const Scene& scene, std::size_t hole) {
+  const auto [hole_x, hole_y] = scene.hole_centre(hole);
+  if constexpr (requires { rock.shape.surface; }) {
+    double sum = 0, corners = 0;
+    for (const auto& edge : rock.shape.surface) {
+      const auto& x = rock.shape.corner[edge.first];
+      if (scene.nearest_hole(x[0], x[1]) == hole) sum += std::hypot(x[0] - hole_x, x[1] - hole_y), corners += 1;
+    }
+    return sum / corners;
+  } else {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t p = 0; p < rock.size(); ++p)
+      least = std::min(least, std::hypot(rock.x(0)[p] - hole_x, rock.x(1)[p] - hole_y));
+    return least;
+  }
+}
+
 /// Mean radial stress, Pa, of the rock within a cell of a hole's wall. The ring's mean: a single particle that shares a
 /// cell with gas shows several times as much.
 template <class Body>
 double wall_radial_stress(const Body& rock, const Scene& scene, std::size_t hole) {
   const auto [hole_x, hole_y] = scene.hole_centre(hole);
-  double wall = 0, corners = 0;
-  for (const auto& edge : rock.shape.surface) {
-    const auto& x = rock.shape.corner[edge.first];
-    if (scene.nearest_hole(x[0], x[1]) == hole) wall += std::hypot(x[0] - hole_x, x[1] - hole_y), corners += 1;
-  }
-  wall /= corners;
+  const double wall = wall_radius(rock, scene, hole);
   double stress = 0, volume = 0;
   for (std::size_t p = 0; p < rock.size(); ++p) {
     if (std::hypot(rock.x(0)[p] - hole_x, rock.x(1)[p] - hole_y) > wall + scene.grid.cell) continue;
@@ -114,13 +128,14 @@ mpm::analysis::PolarStress probe(const Body& rock, const std::array<double, 2>& 
 template <class Body, class F>
 auto with_damage(const Body& rock, const Scene& scene, const F& f) {
   std::vector<double> x(rock.size()), y(rock.size()), damage(rock.size()), crushing(rock.size());
+  const std::vector<double> volume(rock.volume(), rock.volume() + rock.size());
   for (std::size_t p = 0; p < rock.size(); ++p) {
     const auto [hole_x, hole_y] = scene.hole_centre(scene.nearest_hole(rock.x(0)[p], rock.x(1)[p]));
     x[p] = rock.x(0)[p] - hole_x, y[p] = rock.x(1)[p] - hole_y;
     const auto d = damage_of(rock.state(p));
     damage[p] = d.larger(), crushing[p] = d.crushed;
   }
-  return f(mpm::analysis::DamageSamples{x, y, {rock.volume(), rock.size()}, damage, crushing},
+  return f(mpm::analysis::DamageSamples{x, y, volume, damage, crushing},
            mpm::analysis::CrackCount{.ring_width = scene.rock.particle, .multiplicity = multiplicity(scene)});
 }
 
@@ -142,6 +157,19 @@ void write_rose(const Body& rock, const Scene& scene, const std::filesystem::pat
   for (int k = 0; k < sectors; ++k) table.row(std::vector<double>{360.0 * k / sectors, rose[std::size_t(k)]});
 }
 
+/// Corners of a particle's domain.
+template <class Body>
+Quad domain_of(const Body& rock, std::size_t p) {
+  Quad corners;
+  if constexpr (requires { rock.shape.quad; }) {
+    for (int c = 0; c < 4; ++c) corners[c] = rock.shape.corner[rock.shape.quad[p][c]];
+  } else {
+    const double x = rock.x(0)[p], y = rock.x(1)[p], a = rock.shape.half_size[0], b = rock.shape.half_size[1];
+    corners = {{{x - a, y - b}, {x + a, y - b}, {x + a, y + b}, {x - a, y + b}}};
+  }
+  return corners;
+}
+
 /// Draws damage, hoop stress and pressure of the rock round the holes.
 template <class Body>
 void draw_rock(const Body& rock, const Scene& scene, const std::string& when, double half_width,
@@ -149,7 +177,7 @@ void draw_rock(const Body& rock, const Scene& scene, const std::string& when, do
   std::vector<Quad> domains(rock.size());
   std::vector<double> damage(rock.size()), hoop(rock.size()), pressure(rock.size());
   for (std::size_t p = 0; p < rock.size(); ++p) {
-    for (int c = 0; c < 4; ++c) domains[p][c] = rock.shape.corner[rock.shape.quad[p][c]];
+    domains[p] = domain_of(rock, p);
     const auto d = damage_of(rock.state(p));
     damage[p] = signed_damage(d.crushed, d.cracked);
     hoop[p] = polar_stress(rock, p, scene).tt;

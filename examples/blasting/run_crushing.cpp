@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
 #include "simulation.hpp"
 
-template void blasting::run_with<blasting::CrushingRock>(const Scene&, const Options&);
+template void blasting::run_with<blasting::Rock<blasting::CrushingRock>>(const Scene&, const Options&);

@@ -63,6 +63,8 @@ Parameters rock(Scene& s) {
        "outer sides during the blast: waves pass as into endless rock, or the slab ends there under its in-situ load"},
       {"grid.cell", &s.grid.cell, "mm", "side of a cell of the background grid", positive},
       {"rock.particle", &r.particle, "mm", "side of a rock particle", positive},
+      {"rock.shape", Choice(r.shape, {"cpdi2", "ugimp"}), "",
+       "particles of the rock: quadrilaterals that follow the holes and keep together, or squares of a lattice"},
       {"rock.law", Choice(r.law, {"jh2", "elastic"}), "", "Johnson-Holmquist 2, or linear elastic without damage"},
       {"rock.preset", Choice(r.preset, {"paper", "granite_1200", "granite_3000"}), "", "constants of the rock"},
       {"rock.density", &r.density, "kg/m^3", "initial density", solid_density},
@@ -114,6 +116,8 @@ Parameters stages(Scene& s) {
        "m/s",
        "rock rests at no cost until something near it moves faster; 0: none does",
        {0, 1}},
+      {"step.precision", Choice(s.step.precision, {"double", "float"}), "",
+       "numbers of the blast: half the bytes in float"},
       {"end_time", &s.end_time, "us", "simulated time of the blast", {0, 1, true}},
       {"output.snapshots", &s.output.snapshots, "", "snapshots of the blast, the last at the end time", {0, 100000}},
       {"output.probes", &s.output.probes, "m", "distances from the first hole's centre, with commas, or none",
@@ -210,6 +214,16 @@ void check_resolution(const Scene& s) {
          "this makes more than 1e9 rock particles, raise it or lower block.side");
 }
 
+/// Kinds of rock that the program was compiled for; see run.cpp.
+void check_kind(const Scene& s) {
+  const bool cracking = s.rock.law == RockLaw::jh2 && s.rock.tensile.law == TensileLaw::rankine;
+  const bool squares = s.rock.shape == RockShape::ugimp, single = s.step.precision == Precision::float_;
+  const std::string remedy = ": only for rock.law = jh2 with rock.tensile.law = rankine, set those or keep the default";
+  if (squares && !cracking) throw InputError("rock.shape = ugimp" + remedy);
+  if (single && !cracking) throw InputError("step.precision = float" + remedy);
+  if (squares && single) throw InputError("step.precision = float: not with rock.shape = ugimp, keep one default");
+}
+
 void check_probes(const Scene& s) {
   const auto& directions = s.output.probe_directions;
   if (!directions.empty() && directions.size() != s.output.probes.size())
@@ -270,6 +284,7 @@ void validate(const Scene& scene) {
   check_holes(scene);
   check_symmetry(scene);
   check_resolution(scene);
+  check_kind(scene);
   check_probes(scene);
 }
 

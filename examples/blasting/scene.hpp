@@ -16,11 +16,13 @@ enum class ChargeKind { petn, none };
 enum class ChargePreset { petn_1260, petn_as_printed };
 enum class Burn { constant_volume, programmed };
 enum class RockLaw { jh2, elastic };
+enum class RockShape { cpdi2, ugimp };
 enum class RockPreset { paper, granite_1200, granite_3000 };
 enum class TensileLaw { rankine, none };
 enum class StressStart { kirsch, far_field };
 enum class Faces { quiet, free };
 enum class StressUpdate { usl, musl, usf };
+enum class Precision { double_, float_ };
 
 /// Every parameter of a run, in SI. The member initialisers are the default scene. An optional member, when set,
 /// replaces the preset's value. Meanings, units and valid values: `parameters`.
@@ -57,6 +59,7 @@ struct Scene {
 
   struct Rock {
     double particle = 0.005;
+    RockShape shape = RockShape::cpdi2;
     RockLaw law = RockLaw::jh2;
     RockPreset preset = RockPreset::paper;
     std::optional<double> density, young, poisson, A, B, C, M, N, tensile_pressure, sigma_hel, p_hel, beta, D1, D2, K1,
@@ -90,6 +93,7 @@ struct Scene {
     StressUpdate update = StressUpdate::musl;
     double flip = 1;
     double rest_speed = 1e-3;
+    Precision precision = Precision::double_;
   } step;
 
   double end_time = 300e-6;

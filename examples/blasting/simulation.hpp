@@ -43,7 +43,7 @@ double energy_of(const Body& charge, const Scene& scene) {
 
 /// Stage 1: relaxes the rock; the report goes into the summary.
 template <class Rock>
-mpm::Body<CpdiQuad, Rock, Space> relax_rock(const Scene& scene, const std::filesystem::path& folder, Summary& summary) {
+typename Rock::Body relax_rock(const Scene& scene, const std::filesystem::path& folder, Summary& summary) {
   auto solver = relaxation_stage<Rock>(scene);
   if (scene.stress.horizontal == 0 && scene.stress.vertical == 0) {  // at rest; a relaxation would chase round-off
     summary.relaxation = {0, 0};
@@ -120,8 +120,7 @@ void finish(Solver& solver, const Scene& scene, const std::filesystem::path& fol
 
 /// Stage 2, from the relaxed rock to the end time.
 template <class Rock, class Integrator>
-void blast(const Scene& scene, const std::filesystem::path& folder, mpm::Body<CpdiQuad, Rock, Space> rock,
-           Summary& summary) {
+void blast(const Scene& scene, const std::filesystem::path& folder, typename Rock::Body rock, Summary& summary) {
   auto solver = blast_stage<Rock, Integrator>(scene, std::move(rock));
   summary.particles = {std::int64_t(solver.template body<0>().size()), std::int64_t(solver.template body<1>().size()),
                        std::int64_t(solver.template body<2>().size())};
@@ -159,7 +158,7 @@ void blast(const Scene& scene, const std::filesystem::path& folder, mpm::Body<Cp
 }
 
 template <class Rock>
-void blast_as_asked(const Scene& scene, const std::filesystem::path& folder, mpm::Body<CpdiQuad, Rock, Space> rock,
+void blast_as_asked(const Scene& scene, const std::filesystem::path& folder, typename Rock::Body rock,
                     Summary& summary) {
   switch (scene.step.update) {
     case StressUpdate::usl:

@@ -16,14 +16,25 @@ using Space = mpm::PlaneStrain<double>;
 using mpm::CpdiQuad;
 using mpm::Ugimp;
 
+/// A kind of rock: its law, the shape function of its particles, and the number type of the blast; it settles in
+/// double.
+template <class LawT, class ShapeT = CpdiQuad, class ScalarT = double>
+struct Rock {
+  using Law = LawT;
+  using Shape = ShapeT;
+  using BlastSpace = mpm::PlaneStrain<ScalarT>;
+  using Body = mpm::Body<Shape, Law, Space>;
+};
+
 /// Stage 1: the rock alone settles under the in-situ stress.
 template <class Rock>
-using RelaxationSolver = mpm::Solver<CpdiQuad, Rock, mpm::DynamicRelaxation<>, Space>;
+using RelaxationSolver = mpm::Solver<typename Rock::Shape, typename Rock::Law, mpm::DynamicRelaxation<>, Space>;
 
 /// Stage 2: rock, charge and air.
 template <class Rock, class Integrator>
-using BlastSolver = mpm::Solver<mpm::PerBody<CpdiQuad, Ugimp, Ugimp>,
-                                mpm::PerBody<Rock, mpm::JonesWilkinsLee, mpm::PolynomialEos>, Integrator, Space>;
+using BlastSolver = mpm::Solver<mpm::PerBody<typename Rock::Shape, Ugimp, Ugimp>,
+                                mpm::PerBody<typename Rock::Law, mpm::JonesWilkinsLee, mpm::PolynomialEos>, Integrator,
+                                typename Rock::BlastSpace>;
 
 /// The block's half side as the grid can have it: a whole number of cells, at least what the scene asks.
 inline int half_cells(const Scene& scene) {
@@ -34,10 +45,13 @@ inline double half_side(const Scene& scene) {
 }
 
 /// The grid fills the block; a quarter model is its upper right quadrant.
-inline mpm::Grid<Space> background(const Scene& scene) {
+template <class S>
+mpm::Grid<S> background(const Scene& scene) {
+  using Scalar = typename S::Scalar;
   const int n = half_cells(scene);
-  if (scene.model == Model::quarter) return {{0, 0}, scene.grid.cell, {n, n}};
-  return {{-half_side(scene), -half_side(scene)}, scene.grid.cell, {2 * n, 2 * n}};
+  const Scalar cell = Scalar(scene.grid.cell), low = Scalar(-half_side(scene));
+  if (scene.model == Model::quarter) return {{0, 0}, cell, {n, n}};
+  return {{low, low}, cell, {2 * n, 2 * n}};
 }
 
 /// In-situ stress round a hole at the origin, tension positive; the paper's and the scene's magnitudes are
@@ -63,31 +77,41 @@ inline mpm::SymmetricTensor<double> starting_stress(const Scene& scene, double p
   return {s.xx, s.yy, poisson * (s.xx + s.yy), s.xy, 0, 0};
 }
 
-/// The rock of the scene: quadrilaterals that follow the round wall, under the starting stress, each denser as the
-/// inverse of its equation of state demands.
+/// The rock of the scene under the starting stress, each particle denser as the inverse of its equation of state
+/// demands: quadrilaterals that follow the round wall, or squares whose centres lie outside the holes.
 template <class Rock>
-mpm::Body<CpdiQuad, Rock, Space> make_rock(const Scene& scene) {
-  const auto law = rock_law<Rock>(scene);
-  const auto starting = [&](double x, double y) { return starting_stress(scene, law.poisson, x, y); };
-  const mpm::geometry::HoledBlock block{.radius = scene.hole.radius,
-                                        .centres = scene.hole_centres(),
-                                        .half_side = half_side(scene),
-                                        .particle_size = scene.rock.particle,
-                                        .model = scene.model};
-  auto rock = mpm::geometry::make_body<Space>("rock", block.mesh(), law, [&](const mpm::geometry::Point& x) {
-    return relative_volume(law, -trace(starting(x[0], x[1])) / 3);
-  });
-  for (std::size_t p = 0; p < rock.size(); ++p) rock.store(p, state_under(law, starting(rock.x(0)[p], rock.x(1)[p])));
+typename Rock::Body make_rock(const Scene& scene) {
+  const auto law = rock_law<typename Rock::Law>(scene);
+  typename Rock::Body rock("rock", {}, law);
+  if constexpr (std::is_same_v<typename Rock::Shape, CpdiQuad>) {
+    const mpm::geometry::HoledBlock block{.radius = scene.hole.radius,
+                                          .centres = scene.hole_centres(),
+                                          .half_side = half_side(scene),
+                                          .particle_size = scene.rock.particle,
+                                          .model = scene.model};
+    rock = mpm::geometry::make_body<Space>("rock", block.mesh(), law);
+  } else {
+    const double half = half_side(scene), low = scene.model == Model::quarter ? 0 : -half;
+    mpm::fill(rock, {low, low}, {half, half}, scene.rock.particle, [&](const mpm::Vector<Space>& x) {
+      const auto [hole_x, hole_y] = scene.hole_centre(scene.nearest_hole(x[0], x[1]));
+      return std::hypot(x[0] - hole_x, x[1] - hole_y) > scene.hole.radius;
+    });
+  }
+  for (std::size_t p = 0; p < rock.size(); ++p) {
+    const auto stress = starting_stress(scene, law.poisson, rock.x(0)[p], rock.x(1)[p]);
+    rock.mass()[p] /= relative_volume(law, -trace(stress) / 3);
+    rock.store(p, state_under(law, stress));
+  }
   return rock;
 }
 
 /// Puts symmetry rollers on the cut faces of a quarter model, `face(axis, side)` on all others.
-template <class Solver, class F>
+template <class S, class Solver, class F>
 void set_faces(Solver& solver, const Scene& scene, const F& face) {
   for (int axis = 0; axis < 2; ++axis)
     for (int side = 0; side < 2; ++side) {
       if (scene.model == Model::quarter && side == 0) {
-        solver.boundary.face(axis, side) = mpm::Rollers<Space>{};
+        solver.boundary.face(axis, side) = mpm::Rollers<S>{};
       } else {
         solver.boundary.face(axis, side) = face(axis, side);
       }
@@ -97,9 +121,9 @@ void set_faces(Solver& solver, const Scene& scene, const F& face) {
 /// Stage 1, ready to relax: tractions of the starting field on the outer faces.
 template <class Rock>
 RelaxationSolver<Rock> relaxation_stage(const Scene& scene) {
-  RelaxationSolver<Rock> solver(background(scene), make_rock<Rock>(scene));
+  RelaxationSolver<Rock> solver(background<Space>(scene), make_rock<Rock>(scene));
   const double poisson = solver.body().law.poisson;
-  set_faces(solver, scene, [&](int axis, int side) {
+  set_faces<Space>(solver, scene, [&](int axis, int side) {
     return mpm::Traction<Space>::on(solver.grid, axis, side, [&](const mpm::Vector<Space>& x) -> mpm::Vector<Space> {
       const auto s = starting_stress(scene, poisson, x[0], x[1]);
       const double n = side == 0 ? -1 : 1;
@@ -160,10 +184,22 @@ inline mpm::Body<Ugimp, mpm::PolynomialEos, Space> make_air(const Scene& scene) 
   });
 }
 
+/// The particles in the numbers of the blast.
+template <class S, class Body>
+auto in_space(Body body) {
+  if constexpr (std::is_same_v<S, typename Body::SpaceType>) {
+    return body;
+  } else {
+    return mpm::Body<typename Body::Shape, typename Body::Law, S>(body);
+  }
+}
+
 /// Stage 2, ready to burn: the relaxed rock moves in, charge and air fill the hole, and the outer faces turn quiet,
 /// holding what keeps the rock at rest. Those of a slab hold only that: a quiet face without impedance.
 template <class Rock, class Integrator>
-BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, mpm::Body<CpdiQuad, Rock, Space> rock) {
+BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, typename Rock::Body rock) {
+  using S = typename Rock::BlastSpace;
+  using Scalar = typename S::Scalar;
   // Waves reach the faces in rock under the far field, which the in-situ stress has made softer or stiffer.
   std::size_t far = 0;
   for (std::size_t p = 1; p < rock.size(); ++p)
@@ -171,14 +207,18 @@ BlastSolver<Rock, Integrator> blast_stage(const Scene& scene, mpm::Body<CpdiQuad
   const double density = rock.mass()[far] / rock.volume()[far];
   const auto moduli = rock.law.tangent(rock.state(far), rock.relative_volume(far));
   rock.stress_work = rock.viscous_work = 0;
-  BlastSolver<Rock, Integrator> solver(background(scene), std::move(rock), make_charge(scene), make_air(scene));
-  solver.safety = scene.step.safety;
+  BlastSolver<Rock, Integrator> solver(background<S>(scene), in_space<S>(std::move(rock)),
+                                       in_space<S>(make_charge(scene)), in_space<S>(make_air(scene)));
+  solver.safety = Scalar(scene.step.safety);
   solver.integrator.flip = scene.step.flip;
-  set_faces(solver, scene, [&](int, int) {
-    return scene.block.faces == Faces::free ? mpm::Quiet<Space>{} : mpm::Quiet<Space>::from(density, moduli);
+  set_faces<S>(solver, scene, [&](int, int) {
+    return scene.block.faces == Faces::free
+               ? mpm::Quiet<S>{}
+               : mpm::Quiet<S>::from(Scalar(density),
+                                     mpm::Moduli<Scalar>{Scalar(moduli.longitudinal), Scalar(moduli.shear)});
   });
   solver.hold_quiet_faces();
-  if (scene.step.rest_speed > 0) solver.template let_rest<0>(scene.step.rest_speed);
+  if (scene.step.rest_speed > 0) solver.template let_rest<0>(Scalar(scene.step.rest_speed));
   return solver;
 }
 

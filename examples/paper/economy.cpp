@@ -28,6 +28,8 @@ const std::vector<Variant>& variants() {
       {"tolerance", "relaxed to 1e-4 only", [](Scene& s) { s.relaxation.tolerance = 1e-4; }},
       {"rest-off", "rock at rest worked on too", [](Scene& s) { s.step.rest_speed = 0; }},
       {"usl", "stress updated last", [](Scene& s) { s.step.update = blasting::StressUpdate::usl; }},
+      {"ugimp", "rock of squares: uGIMP", [](Scene& s) { s.rock.shape = blasting::RockShape::ugimp; }},
+      {"float", "the blast in float", [](Scene& s) { s.step.precision = blasting::Precision::float_; }},
       {"seed-4", "another seed", [](Scene& s) { s.seed = 4; }},
   };
   return all;

@@ -8,6 +8,7 @@
 #include <mpm/lanes.hpp>
 #include <mpm/spaces/plane_strain.hpp>
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -62,6 +63,21 @@ class Body {
   Body() = default;
   Body(std::string body_name, Shape body_shape, Law body_law)
       : name(std::move(body_name)), shape(std::move(body_shape)), law(std::move(body_law)) {}
+
+  /// The same particles in numbers of another type.
+  template <class Other>
+  requires(!std::is_same_v<Other, SpaceT>) explicit Body(const Body<Shape, Law, Other>& other)
+      : name(other.name),
+        shape(other.shape),
+        law(other.law),
+        stress_work(other.stress_work),
+        viscous_work(other.viscous_work) {
+    static_assert(Other::dimension == dimension && Other::hoop == SpaceT::hoop, "mpm::Body: the spaces differ");
+    columns_.resize(other.size());
+    for (int c = 0; c < column_count; ++c)
+      std::transform(other.columns()[c], other.columns()[c] + other.size(), columns_[c],
+                     [](auto value) { return Scalar(value); });
+  }
 
   std::size_t size() const { return columns_.size(); }
 

@@ -160,11 +160,11 @@ Lanes<T, N> cbrt(const Lanes<T, N>& a) {
 template <class T>
 using LanesOf = Lanes<T, register_bytes / int(sizeof(T))>;
 
-/// Reads one number, or a register of them.
+/// Reads one number, of the same type or another, or a register of them.
 template <class V, class T>
 V load(const T* from) {
-  if constexpr (std::is_same_v<V, T>) {
-    return *from;
+  if constexpr (std::is_arithmetic_v<V>) {
+    return V(*from);
   } else {
     return V::load(from);
   }

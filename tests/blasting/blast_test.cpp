@@ -170,6 +170,29 @@ TEST(Blast, ProgrammedBurnAndFullPlaneAgreeWithTheDefault) {
               0.1 * std::abs(quarter.get<double>("energy.work_charge")));
 }
 
+// Squares of a lattice leave a stepped wall; float rounds what double keeps.
+TEST(Blast, SquaresAndFloatCrackTheRockAsTheDefaultDoes) {
+  const auto args = {"block.side=1.4 m", "grid.cell=20 mm", "rock.particle=10 mm", "end_time=80 us",
+                     "output.snapshots=0"};
+  const auto with = [&](const char* name, const char* key) {
+    auto all = set(args);
+    all.insert(all.end(), {"--set", key});
+    return run(name, all);
+  };
+  const auto standard = with("standard", "rock.shape=cpdi2"), squares = with("squares", "rock.shape=ugimp"),
+             rounded = with("rounded", "step.precision=float");
+  const auto expect_near = [&](const Summary& other, const char* figure, double share) {
+    EXPECT_NEAR(other.get<double>(figure) / standard.get<double>(figure), 1, share) << figure;
+  };
+  for (const char* figure : {"energy.work_charge", "crack.reach", "crack.area"}) {
+    expect_near(rounded, figure, .005);
+    expect_near(squares, figure, .05);
+  }
+  EXPECT_NE(rounded.get<std::string>("state_hash"), standard.get<std::string>("state_hash"));
+  for (const auto& summary : {squares, rounded})
+    EXPECT_LE(summary.get<double>("energy.largest_loss"), 0.01 * summary.get<double>("energy.charge"));
+}
+
 const auto two_holes = {"model=full",
                         "block.side=1.2 m",
                         "grid.cell=20 mm",

@@ -54,7 +54,7 @@ TYPED_TEST(FloatStep, FollowsDouble) {
   auto exact = block<TypeParam, Musl, PlaneStrain<>>(9);
   auto rounded = block<TypeParam, Musl, PlaneStrain<float>>(9);
   stir(exact.body(), 0.02 * sound_speed());
-  stir(rounded.body(), 0.02 * sound_speed());
+  rounded.body() = std::remove_cvref_t<decltype(rounded.body())>(exact.body());
   const auto start = exact.body();
   for (int i = 0; i < 40; ++i) {
     const double dt = exact.step(0.2 * cell / sound_speed());
