@@ -12,7 +12,7 @@ namespace {
 template <bool guarded>
 void blast(benchmark::State& state) {
   program::use_threads(int(state.range(0)));
-  using Rock = blasting::CrackingRock;
+  using Rock = blasting::Rock<blasting::CrackingRock>;
   blasting::Scene scene;
   const auto rock = blasting::make_rock<Rock>(scene);
   std::int64_t particle_steps = 0;
@@ -31,7 +31,7 @@ void blast(benchmark::State& state) {
         solver.steps * std::int64_t(solver.body<0>().size() + solver.body<1>().size() + solver.body<2>().size());
   }
   state.counters["bytes"] = double(rock.bytes_per_particle);
-  state.counters["flops"] = transfer_flops(rock, blasting::background(scene));
+  state.counters["flops"] = transfer_flops(rock, blasting::background<blasting::Space>(scene));
   state.SetItemsProcessed(particle_steps);
 }
 

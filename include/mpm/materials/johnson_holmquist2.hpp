@@ -101,15 +101,19 @@ struct JohnsonHolmquist2 {
     V y = q, left = q, damage = s.damage;
     // Most rock is far from yield: powers are worked out only where the strength may matter.
     if (any(q > certain_strength(reach, s.damage))) {
-      const auto D = deviator(symmetric(step.L));
-      const V rate = sqrt(V(2.0 / 3) * inner(D, D));
-      const V rate_factor = one + V(C) * log(max(rate, V(reference_rate)) * V(1 / reference_rate));
-      const V intact = V(A) * pow(reach, V(N)) * rate_factor;
-      const V fractured = min(V(B) * pow(max(P * V(1 / p_hel), V(0)), V(M)) * rate_factor, V(smax_fracture));
+      V rate_factor = one;
+      if (C != 0) {
+        const auto D = deviator(symmetric(step.L));
+        const V rate = sqrt(V(2.0 / 3) * inner(D, D));
+        rate_factor += V(C) * log(max(rate, V(reference_rate)) * V(1 / reference_rate));
+      }
+      const V pushed = max(P * V(1 / p_hel), V(0)), log_reach = log(reach);
+      const V intact = V(A) * power(reach, log_reach, N) * rate_factor;
+      const V fractured = min(V(B) * power(pushed, log(pushed), M) * rate_factor, V(smax_fracture));
       const auto strength = [&](const V& d) { return max(intact - d * (intact - fractured), V(0)) * V(sigma_hel); };
       y = strength(s.damage);
       const V plastic = max(q - y, V(0)) * V(1 / (3 * shear()));
-      const V to_fracture = max(V(D1) * pow(reach, V(D2)), V(1e-6));  // the floor breaks at once where P = -T
+      const V to_fracture = max(V(D1) * power(reach, log_reach, D2), V(1e-6));  // the floor breaks at once where P = -T
       damage = min(one, s.damage + plastic / to_fracture);
       left = strength(damage);
     }
@@ -125,6 +129,13 @@ struct JohnsonHolmquist2 {
     const V viscous = viscosity.pressure(V(density) / step.J, c, trace(step.L), step.cell);
     s.stress = factor * deviator(trial) - SymmetricTensor<V>::spherical(P + viscous);
     return factor;
+  }
+
+ private:
+  /// x^n of an x that is not negative, from its logarithm.
+  template <class V>
+  static V power(const V& x, const V& log_x, double n) {
+    return n == 1 ? x : select(x > V(0), exp(V(n) * log_x), V(n > 0 ? 0 : 1));
   }
 };
 static_assert(Material<JohnsonHolmquist2> && !Fluid<JohnsonHolmquist2>);
