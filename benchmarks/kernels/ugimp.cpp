@@ -17,6 +17,7 @@ void add_ugimp() {
   add<Ugimp, Hypoelastic, Musl>("uGIMP, MUSL");
   add<Ugimp, Hypoelastic, Fmpm>("uGIMP, FMPM(2)");
   add<Ugimp, Hypoelastic, Fmpm>("uGIMP, FMPM(4)", {.integrator = {.order = 4}});
+  add<Ugimp, Hypoelastic, Apic>("uGIMP, APIC");
 }
 
 }  // namespace kernels

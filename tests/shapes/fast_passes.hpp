@@ -173,6 +173,30 @@ TYPED_TEST_P(FastPasses, MoveAndStrainAsThePlainOnesDo) {
   this->expect_equal(plain, fast);
 }
 
+TYPED_TEST_P(FastPasses, CarryAffineVelocitiesAsThePlainOnesDo) {
+  auto& body = this->body;
+  auto fast = this->grid;
+  ParticleOrder order;
+  locate(body, this->grid, order);
+  locate(body, fast, order);
+  Columns<typename TestFixture::Scalar, TestFixture::D * TestFixture::D> B, plain, seen;
+  for (auto* columns : {&B, &plain, &seen}) columns->resize(body.size());
+  for (int c = 0; c < TestFixture::D * TestFixture::D; ++c)
+    for (std::size_t p = 0; p < body.size(); ++p) B[c][p] = this->number();
+  for_each_coloured(order, [&](std::size_t p) { Apic::add_momentum(body, p, B, this->grid, this->grid.velocity); });
+  Apic::scatter_momentum(body, order, B, fast, fast.velocity);
+  this->expect_equal(this->grid.velocity, fast.velocity);
+  for (std::size_t n = 0; n < fast.size(); ++n)
+    EXPECT_NEAR(fast.mass[n], this->grid.mass[n], TestFixture::round_off * body.mass()[0]) << "node " << n;
+
+  this->disturb_nodes();
+  for (std::size_t p = 0; p < body.size(); ++p) Apic::find_columns(body, p, this->grid, plain);
+  Apic::gather_columns(body, ChunkList(body.size()), this->grid, seen);
+  for (int c = 0; c < TestFixture::D * TestFixture::D; ++c)
+    for (std::size_t p = 0; p < body.size(); ++p)
+      EXPECT_NEAR(plain[c][p], seen[c][p], TestFixture::round_off) << "column " << c << " of particle " << p;
+}
+
 TYPED_TEST_P(FastPasses, FindTheStableStepThatThePlainOneFinds) {
   using Real = typename TestFixture::Scalar;
   auto& rock = this->body;
@@ -197,7 +221,7 @@ TYPED_TEST_P(FastPasses, FindTheStableStepThatThePlainOneFinds) {
 
 REGISTER_TYPED_TEST_SUITE_P(FastPasses, GiveTheNodesWhatThePlainOnesGive, GiveInPartsWhatTheyGiveAtOnce,
                             SmoothAsThePlainOneDoes, MoveAndStrainAsThePlainOnesDo,
-                            FindTheStableStepThatThePlainOneFinds);
+                            CarryAffineVelocitiesAsThePlainOnesDo, FindTheStableStepThatThePlainOneFinds);
 
 }  // namespace
 }  // namespace mpm

@@ -2,6 +2,7 @@
 #pragma once
 #include <mpm/concepts/integrator.hpp>
 #include <mpm/passes/advance_nodes.hpp>
+#include <mpm/passes/affine_lanes.hpp>
 #include <mpm/passes/gather.hpp>
 #include <algorithm>
 #include <cmath>
@@ -46,71 +47,96 @@ struct Apic {
   template <class Body, class ColumnsT, class S>
   static void scatter_momentum(const Body& body, const ParticleOrder& order, const ColumnsT& B, Grid<S>& grid,
                                std::vector<Vector<S>>& momentum) {
-    for_each_coloured(order, [&](std::size_t p) {
-      const auto stencil = make_stencil(body, p, grid);
-      const Vector<S> x = centre(stencil, grid), v = body.velocity(p);
-      const auto C = affine_velocity(stencil, x, B, p, grid);
-      const auto m = body.mass()[p];
-      for (const auto& [I, w, grad] : stencil) {
-        const Vector<S> r = grid.position(I) - x;
-        grid.mass[I] += w * m;
-        momentum[I] += w * m * (v + C * r);
+    const auto plainly = [&](std::size_t p) { add_momentum(body, p, B, grid, momentum); };
+    if constexpr (InModes<Body>) {
+      lanes::scatter_affine(
+          body, order, B, grid, momentum, [](auto&&... arguments) { affine_velocity(arguments...); }, plainly);
+    } else {
+      for_each_coloured(order, plainly);
+    }
+  }
+  /// Of one particle: the plain form.
+  template <class Body, class ColumnsT, class S>
+  static void add_momentum(const Body& body, std::size_t p, const ColumnsT& B, Grid<S>& grid,
+                           std::vector<Vector<S>>& momentum) {
+    using Scalar = typename S::Scalar;
+    constexpr int n = S::dimension;
+    const auto stencil = make_stencil(body, p, grid);
+    const Vector<S> x = centre(stencil, grid), v = body.velocity(p);
+    Scalar own[n][n], D[n][n] = {}, C[n][n], farthest = 0;
+    for (const auto& [I, w, grad] : stencil) {
+      const Vector<S> r = grid.position(I) - x;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) D[i][j] += w * r[i] * r[j];
+      farthest = std::max(farthest, r.squaredNorm());
+    }
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) own[i][j] = B[i * n + j][p];
+    affine_velocity(own, D, farthest, C);
+    const Scalar m = body.mass()[p];
+    for (const auto& [I, w, grad] : stencil) {
+      const Vector<S> r = grid.position(I) - x;
+      grid.mass[I] += w * m;
+      for (int i = 0; i < n; ++i) {
+        Scalar velocity = v[i];
+        for (int j = 0; j < n; ++j) velocity += C[i][j] * r[j];
+        momentum[I][i] += w * m * velocity;
       }
-    });
+    }
   }
   /// B = sum w v_I (x_I - x_p)^T.
   template <class Body, class S, class ColumnsT>
   static void gather_columns(const Body& body, const ChunkList& chunks, const Grid<S>& grid, ColumnsT& B) {
-    chunks.for_each_entry([&](std::size_t p) {
-      const auto stencil = make_stencil(body, p, grid);
-      const Vector<S> x = centre(stencil, grid);
-      Matrix<S> sum = Matrix<S>::Zero();
-      for (const auto& [I, w, grad] : stencil) sum += w * grid.velocity[I] * (grid.position(I) - x).transpose();
-      for (int i = 0; i < S::dimension; ++i)
-        for (int j = 0; j < S::dimension; ++j) B[i * S::dimension + j][p] = sum(i, j);
-    });
+    const auto plainly = [&](std::size_t p) { find_columns(body, p, grid, B); };
+    if constexpr (InModes<Body>) {
+      lanes::gather_affine(body, chunks, grid, B, plainly);
+    } else {
+      chunks.for_each_entry(plainly);
+    }
+  }
+  /// Of one particle: the plain form.
+  template <class Body, class S, class ColumnsT>
+  static void find_columns(const Body& body, std::size_t p, const Grid<S>& grid, ColumnsT& B) {
+    const auto stencil = make_stencil(body, p, grid);
+    const Vector<S> x = centre(stencil, grid);
+    for (int i = 0; i < S::dimension; ++i)
+      for (int j = 0; j < S::dimension; ++j) {
+        typename S::Scalar sum = 0;
+        for (const auto& [I, w, grad] : stencil) sum += w * grid.velocity[I][i] * (grid.position(I) - x)[j];
+        B[i * S::dimension + j][p] = sum;
+      }
   }
 
  private:
-  template <class S>
-  using Matrix = Eigen::Matrix<typename S::Scalar, S::dimension, S::dimension>;
-
   template <class Out, class S>
   static Vector<S> centre(const Out& stencil, const Grid<S>& grid) {
     Vector<S> x = Vector<S>::Zero();
     for (const auto& [I, w, grad] : stencil) x += w * grid.position(I);
     return x;
   }
-  /// C = B D^-1 of particle p, 1/s, by elimination; columns of pivots that are next to nothing are zero.
-  template <class Out, class ColumnsT, class S>
-  static Matrix<S> affine_velocity(const Out& stencil, const Vector<S>& x, const ColumnsT& B, std::size_t p,
-                                   const Grid<S>& grid) {
-    using Scalar = typename S::Scalar;
-    constexpr int n = S::dimension;
-    Matrix<S> D = Matrix<S>::Zero(), C;
-    Scalar farthest = 0;
-    for (const auto& [I, w, grad] : stencil) {
-      const Vector<S> r = grid.position(I) - x;
-      D += w * r * r.transpose();
-      farthest = std::max(farthest, r.squaredNorm());
-    }
+  /// C = B D^-1, 1/s, by elimination; columns of pivots that are next to nothing are zero. Of D the lower half is read,
+  /// and lost.
+  template <class V, int n>
+  static void affine_velocity(const V (&B)[n][n], V (&D)[n][n], const V& farthest, V (&C)[n][n]) {
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) C(i, j) = B[i * n + j][p];
+      for (int j = 0; j < n; ++j) C[i][j] = B[i][j];
     // D = L diag(pivot) L^T in the lower half of D, then C L^-T, the pivots, and L^-1 from the right.
-    Vector<S> inverse;
+    V inverse[n];
     for (int k = 0; k < n; ++k) {
-      inverse[k] = D(k, k) > farthest / 256 ? 1 / D(k, k) : 0;
+      inverse[k] = select(D[k][k] > farthest * V(1.0 / 256), V(1) / D[k][k], V(0));
       for (int i = k + 1; i < n; ++i)
-        for (int j = k + 1; j <= i; ++j) D(i, j) -= D(i, k) * D(j, k) * inverse[k];
-      for (int i = k + 1; i < n; ++i) D(i, k) *= inverse[k];
+        for (int j = k + 1; j <= i; ++j) D[i][j] -= D[i][k] * D[j][k] * inverse[k];
+      for (int i = k + 1; i < n; ++i) D[i][k] *= inverse[k];
     }
-    for (int k = 0; k < n; ++k)
-      for (int j = 0; j < k; ++j) C.col(k) -= C.col(j) * D(k, j);
-    for (int k = n - 1; k >= 0; --k) {
-      C.col(k) *= inverse[k];
-      for (int j = k + 1; j < n; ++j) C.col(k) -= C.col(j) * D(j, k);
+    for (int row = 0; row < n; ++row) {
+      V* c = C[row];
+      for (int k = 0; k < n; ++k)
+        for (int j = 0; j < k; ++j) c[k] -= c[j] * D[k][j];
+      for (int k = n - 1; k >= 0; --k) {
+        c[k] *= inverse[k];
+        for (int j = k + 1; j < n; ++j) c[k] -= c[j] * D[j][k];
+      }
     }
-    return C;
   }
 };
 

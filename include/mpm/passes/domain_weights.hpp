@@ -12,6 +12,10 @@ concept HasDomainModes = requires(const Body b, const Grid<typename Body::SpaceT
   b.shape.domain_modes(b, std::size_t{}, g, modes);
 };
 
+/// A shape function that the passes in lanes serve.
+template <class Body>
+concept InModes = (HasModes<Body> || HasDomainModes<Body>)&&!mean_dilatation<typename Body::Shape>;
+
 namespace detail {
 
 /// The weights of a chunk of particles by the modes of the plane; that of the first is one, and it has no slope.

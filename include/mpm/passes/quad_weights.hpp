@@ -41,11 +41,15 @@ struct QuadWeights {
   }
 };
 
-/// What they are on the grid, as one domain each. Returns whether modes serve all.
-template <class V, class Body, class S>
-[[gnu::always_inline]] inline bool quad_modes(const Body& body, std::size_t first, int size, const Grid<S>& grid,
-                                              DomainModes<V>& out) {
-  const QuadWeights<V> w(body.shape, first, size);
+}  // namespace mpm::detail
+
+namespace mpm {
+
+template <class Body, class V>
+[[gnu::always_inline]] inline bool CpdiQuad::domain_modes(const Body&, std::size_t p,
+                                                          const Grid<typename Body::SpaceType>& grid,
+                                                          DomainModes<V>& out) const {
+  const detail::QuadWeights<V> w(*this, p, int(std::min<std::size_t>(V::size, quad.size() - p)));
   const V h(grid.cell());
   const V g1[2] = {w.gradient[0][0] * h, w.gradient[0][1] * h}, g2[2] = {w.gradient[1][0] * h, w.gradient[1][1] * h};
   V x[4], y[4];
@@ -56,4 +60,4 @@ template <class V, class Body, class S>
   return Cpdi::modes_of_corners(grid, centroid(x), centroid(y), x, y, w.weight, g1, g2, out);
 }
 
-}  // namespace mpm::detail
+}  // namespace mpm

@@ -186,11 +186,6 @@ template <class Body, class S, class V>
     const bool fit = body.shape.domain_modes(body, p, grid, modes);
     b = domain_stiffness(modes);
     return fit;
-  } else if constexpr (std::is_same_v<Shape, CpdiQuad>) {
-    DomainModes<V> modes;
-    const bool fit = quad_modes(body, p, V::size, grid, modes);
-    b = domain_stiffness(modes);
-    return fit;
   } else {
     return false;
   }

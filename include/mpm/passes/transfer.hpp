@@ -37,11 +37,9 @@ class Transfer {
       "mpm::ShapeFunction: `reach(body, p, grid)` is missing, by which particles are ordered for the threads");
   static constexpr bool by_corners = Shape::domain_motion == DomainMotion::corners;
   static constexpr int column_count = particle_columns<IntegratorT, S>;
-  /// Fast passes for shapes in modes, and for corners; the plain ones for all others, and for integrators with columns
-  /// of their own, which scatter by the stencil: the weights of all passes must be the same to the last bit where a
-  /// particle only just touches a node.
-  static constexpr bool in_modes =
-      (HasModes<Body> || HasDomainModes<Body>)&&column_count == 0 && !mean_dilatation<Shape>;
+  /// Fast passes for shapes in modes, and for corners; the plain ones for all others. The weights of all passes must be
+  /// the same to the last bit where a particle only just touches a node.
+  static constexpr bool in_modes = InModes<Body> && !by_corners;
   /// Weights along axes tell a scatter at once how stiff the grid is to the particles.
   static constexpr bool sees_stiffness = in_modes && HasModes<Body> && IntegratorT::step_interval == 1;
   static constexpr bool corners_in_lanes = std::is_same_v<Shape, CpdiQuad>;
@@ -115,7 +113,7 @@ class Transfer {
     if constexpr (column_count > 0 && gives_momentum<what>) {
       IntegratorT::scatter_momentum(body, order_, columns_, grid, momentum);
       if constexpr (gives_forces<what>) {
-        return scatter<What::forces>(body, grid, momentum, body_force, time);
+        return scatter<What::forces, measures>(body, grid, momentum, body_force, time);
       } else {
         return body.size();
       }

@@ -84,6 +84,11 @@ struct CpdiQuad {
     for (int c = 0; c < 4; ++c)
       out.add(int(quad[p][c]), Scalar(k.w[c]), {Scalar(k.gradient[c][0]), Scalar(k.gradient[c][1])});
   }
+  static constexpr int axis_nodes = 3;
+  /// As Cpdi::domain_modes; defined beside the passes, in quad_weights.hpp.
+  template <class Body, class V>
+  [[gnu::always_inline]] bool domain_modes(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>& grid,
+                                           DomainModes<V>& out) const;
   template <class Body>
   auto reach(const Body& body, std::size_t p, const Grid<typename Body::SpaceType>&) const {
     using Scalar = typename Body::Scalar;
