@@ -15,7 +15,7 @@ Problem vortex() {
   return {.name = "vortex",
           .title = "Generalized vortex, A 1: displacement over one period, L2",
           .variants = {"amplitude 1", "amplitude .8"},
-          .quick = {4, 8, 12},
+          .quick = {4, 8, 12, 18},
           .full = {4, 8, 12, 18, 27, 40},
           .configurations = methods.take()};
 }
