@@ -31,7 +31,7 @@ Scene scene_of(State state, blasting::StressStart start, double cells) {
 }
 
 Settled settle(const Scene& scene) {
-  auto solver = blasting::relaxation_stage<blasting::ElasticRock>(scene);
+  auto solver = blasting::relaxation_stage<blasting::Rock<blasting::ElasticRock>>(scene);
   Settled result;
   result.steps = mpm::relax(solver, {.tolerance = 1e-6}).steps;
   const auto& rock = solver.body();
