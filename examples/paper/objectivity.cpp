@@ -70,27 +70,27 @@ void turn_stresses(Report& report) {
 
 void objectivity(Report& report) {
   TableOf table{{"Rock", "cell, mm", "reach, mm", "damaged area, cm2", "energy spent in opening cracks, kJ/m"}, {}};
-  std::string changes;
-  bool holds = true;
   for (const auto law : {blasting::TensileLaw::rankine, blasting::TensileLaw::none}) {
     const bool rankine = law == blasting::TensileLaw::rankine;
-    double reach[2], energy[2];
-    for (int i = 0; i < 2; ++i) {
-      const double cell = i == 0 ? .02 : .01;
+    double reach = 0, energy = 0;
+    for (const double cell : {.02, .01, .005}) {
+      if (cell < .01 && (report.quick || !rankine)) continue;
       const auto one = blast(report, cell, law);
-      reach[i] = one.number("crack.reach"), energy[i] = one.table("ledger.csv").at("fracture").back();
-      table.rows.push_back({rankine ? "JH-2 with the tensile law, 500 J/m2" : "JH-2 alone", fixed(1e3 * cell, 0),
-                            fixed(1e3 * reach[i], 0), fixed(1e4 * one.number("crack.area"), 0),
-                            rankine ? fixed(1e-3 * energy[i], 1) : "no such law"});
+      const double finer_reach = one.number("crack.reach"),
+                   finer_energy = one.table("ledger.csv").at("fracture").back();
+      const std::string size = fixed(1e3 * cell, 0);
+      table.rows.push_back({rankine ? "JH-2 with the tensile law, 500 J/m2" : "JH-2 alone", size,
+                            fixed(1e3 * finer_reach, 0), fixed(1e4 * one.number("crack.area"), 0),
+                            rankine ? fixed(1e-3 * finer_energy, 1) : "no such law"});
+      if (rankine && reach > 0)
+        report.findings.push_back(
+            {"From cells of " + fixed(2e3 * cell, 0) + " mm to " + size +
+                 " mm the reach changes by at most 10 %, the energy spent in opening cracks by at most 15 %",
+             "reach " + change(finer_reach, reach) + ", energy " + change(finer_energy, energy),
+             std::abs(finer_reach / reach - 1) <= .1 && std::abs(finer_energy / energy - 1) <= .15});
+      reach = finer_reach, energy = finer_energy;
     }
-    if (!rankine) continue;
-    changes = "reach " + change(reach[1], reach[0]) + ", energy " + change(energy[1], energy[0]);
-    holds = std::abs(reach[1] / reach[0] - 1) <= .1 && std::abs(energy[1] / energy[0] - 1) <= .15;
   }
-  report.findings.push_back(
-      {"From cells of 20 mm to 10 mm the reach changes by at most 10 %, the energy spent in opening cracks by at most "
-       "15 %",
-       changes, holds});
 
   double least = 1e9, most = 0;
   for (const double level : equiaxial_levels) {
@@ -104,7 +104,7 @@ void objectivity(Report& report) {
        "ratio " + fixed(least, 2) + " to " + fixed(most, 2) + " over the six levels", least >= .9 && most <= 1.1});
   turn_stresses(report);
   report.page.section("Cracks and mesh", "mesh");
-  report.page.text("A quarter under 20 MPa on two meshes:");
+  report.page.text("A quarter under 20 MPa on meshes of several sizes:");
   report.page.table(table);
 }
 
