@@ -174,26 +174,26 @@ TYPED_TEST_P(FastPasses, MoveAndStrainAsThePlainOnesDo) {
 }
 
 TYPED_TEST_P(FastPasses, CarryAffineVelocitiesAsThePlainOnesDo) {
-  auto& body = this->body;
+  auto& rock = this->body;
   auto fast = this->grid;
   ParticleOrder order;
-  locate(body, this->grid, order);
-  locate(body, fast, order);
-  Columns<typename TestFixture::Scalar, TestFixture::D * TestFixture::D> B, plain, seen;
-  for (auto* columns : {&B, &plain, &seen}) columns->resize(body.size());
+  locate(rock, this->grid, order);
+  locate(rock, fast, order);
+  Columns<typename TestFixture::Scalar, TestFixture::D * TestFixture::D> given, plain, seen;
+  for (auto* columns : {&given, &plain, &seen}) columns->resize(rock.size());
   for (int c = 0; c < TestFixture::D * TestFixture::D; ++c)
-    for (std::size_t p = 0; p < body.size(); ++p) B[c][p] = this->number();
-  for_each_coloured(order, [&](std::size_t p) { Apic::add_momentum(body, p, B, this->grid, this->grid.velocity); });
-  Apic::scatter_momentum(body, order, B, fast, fast.velocity);
+    for (std::size_t p = 0; p < rock.size(); ++p) given[c][p] = this->number();
+  for_each_coloured(order, [&](std::size_t p) { Apic::add_momentum(rock, p, given, this->grid, this->grid.velocity); });
+  Apic::scatter_momentum(rock, order, given, fast, fast.velocity);
   this->expect_equal(this->grid.velocity, fast.velocity);
   for (std::size_t n = 0; n < fast.size(); ++n)
-    EXPECT_NEAR(fast.mass[n], this->grid.mass[n], TestFixture::round_off * body.mass()[0]) << "node " << n;
+    EXPECT_NEAR(fast.mass[n], this->grid.mass[n], TestFixture::round_off * rock.mass()[0]) << "node " << n;
 
   this->disturb_nodes();
-  for (std::size_t p = 0; p < body.size(); ++p) Apic::find_columns(body, p, this->grid, plain);
-  Apic::gather_columns(body, ChunkList(body.size()), this->grid, seen);
+  for (std::size_t p = 0; p < rock.size(); ++p) Apic::find_columns(rock, p, this->grid, plain);
+  Apic::gather_columns(rock, ChunkList(rock.size()), this->grid, seen);
   for (int c = 0; c < TestFixture::D * TestFixture::D; ++c)
-    for (std::size_t p = 0; p < body.size(); ++p)
+    for (std::size_t p = 0; p < rock.size(); ++p)
       EXPECT_NEAR(plain[c][p], seen[c][p], TestFixture::round_off) << "column " << c << " of particle " << p;
 }
 
