@@ -28,14 +28,14 @@ void expect_swing(double error, double period, double drift, const Integrator& i
 
 TEST(AxialBar, FilteredVelocitiesAreTheBest) {
   const Fmpm fmpm{.order = 4};
-  expect_swing<Cpdi>(.0033, 4.5e-5, 4.7e-4, fmpm);
+  expect_swing<Cpdi>(.0033, 4.5e-5, 8.3e-4, fmpm);
   expect_swing<Ugimp>(.0075, 1.3e-4, 2.5e-4, fmpm);
   expect_swing<QuadraticBspline>(.0132, 2.4e-4, 4.5e-4, fmpm);
 }
 
 // Lumped masses make the bar slow, whenever it is strained; splines twice as much.
 TEST(AxialBar, LumpedMassesMakeItSlow) {
-  expect_swing<Cpdi, Usl>(.031, 6.5e-4, 2.4e-4);
+  expect_swing<Cpdi, Usl>(.031, 6.5e-4, 4.3e-4);
   expect_swing<Ugimp, Usl>(.032, 6.6e-4, -2.6e-4);
   expect_swing<QuadraticBspline, Usl>(.046, 9.5e-4, 0);
   double coarse = 0, fine = 0;
@@ -46,8 +46,8 @@ TEST(AxialBar, LumpedMassesMakeItSlow) {
 // In a smooth mode the stress updates differ little; where a step velocity strikes, they do (tests/integrators). The
 // stress of USF and MUSL is a step apart, and so are their drifts.
 TEST(AxialBar, FirstAndModifiedLastDriftApart) {
-  expect_swing<Cpdi, Usf>(.0243, 5.4e-4, -1.09e-3);
-  expect_swing<Cpdi, Musl>(.0309, 6.4e-4, 1.12e-3);
+  expect_swing<Cpdi, Usf>(.0166, 5.4e-4, -1.89e-3);
+  expect_swing<Cpdi, Musl>(.0309, 6.4e-4, 1.93e-3);
 }
 
 // Particles that cross into the next cell work with gradients that jump.
