@@ -196,9 +196,15 @@ template <class Body, class S, class V, class F>
 [[gnu::always_inline]] inline void raise_stiffness(GridStiffness<V>& stiffness, const Body& body, std::size_t p,
                                                    int valid, const Grid<S>& grid, const F& find) {
   std::array<V, S::dimension> b;
-  if (valid >= V::size && find(b)) [[likely]] {
+  if (find(b)) [[likely]] {
+    V radius = V::load(body.x(0) + p);
     for (V& k : b) k *= V(grid.inverse_cell() * grid.inverse_cell());
-    stiffness.template raise<S>(b, V::load(body.x(0) + p));
+    if (valid < V::size) {
+      const auto meant = first_lanes<V>(valid);
+      for (V& k : b) k = select(meant, k, V(0));
+      radius = select(meant, radius, V(radius[0]));
+    }
+    stiffness.template raise<S>(b, radius);
   } else {
     for (std::size_t q = p; q < p + std::size_t(std::min(V::size, valid)); ++q)
       stiffness.template raise<S>(grid_stiffness<S>(make_stencil(body, q, grid)), V(body.x(0)[q]));
