@@ -21,7 +21,8 @@ inline constexpr bool continues_linearly = requires {
   requires Shape::continues_linearly;
 };
 
-/// Coordinates, in cells, of a register of particles.
+/// Coordinates, in cells, of a register of particles; whole numbers can be made of them whatever stands in the room
+/// behind the last particle.
 template <class Body, class S, class V = typename Body::Lane>
 [[gnu::always_inline]] inline std::array<V, S::dimension> coordinates(const Body& body, std::size_t p,
                                                                       const Grid<S>& grid) {
@@ -29,7 +30,7 @@ template <class Body, class S, class V = typename Body::Lane>
   std::array<V, S::dimension> xi;
   for (int d = 0; d < S::dimension; ++d)
     xi[std::size_t(d)] = max(
-        V(0), min(V(Scalar(grid.cells(d))), (V::load(body.x(d) + p) - V(grid.origin()[d])) * V(grid.inverse_cell())));
+        V(0), min((V::load(body.x(d) + p) - V(grid.origin()[d])) * V(grid.inverse_cell()), V(Scalar(grid.cells(d)))));
   return xi;
 }
 

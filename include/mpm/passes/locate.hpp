@@ -129,7 +129,7 @@ std::int64_t find_fixed_places(const Body& body, const Grid<S>& grid, std::uint3
     Integers block{}, inner{}, row{};
     for (int d = last; d >= 0; --d) {
       const V xi =
-          max(V(0), min(V(grid.cells(d)), (V::load(body.x(d) + p) - V(grid.origin()[d])) * V(grid.inverse_cell())));
+          max(V(0), min((V::load(body.x(d) + p) - V(grid.origin()[d])) * V(grid.inverse_cell()), V(grid.cells(d))));
       Integers anchor = K == 3 ? truncated(xi + V(0.5)) : shapes::cell_of(xi, grid.cells(d));
       if (d == last) row = anchor;
       block += (anchor >> 2) * grid.block_stride(d);

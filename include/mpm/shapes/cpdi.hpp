@@ -173,7 +173,7 @@ struct Cpdi {
   };
   template <class V, class S>
   static V coordinate(const Grid<S>& grid, int d, const V& x) {
-    return max(V(0), min(V(grid.cells(d)), (x - V(grid.origin()[d])) * V(grid.inverse_cell())));
+    return max(V(0), min((x - V(grid.origin()[d])) * V(grid.inverse_cell()), V(grid.cells(d))));
   }
   template <class V>
   [[gnu::always_inline]] static Hats<V> hats(const V& xi, const typename V::Integers& anchor) {
