@@ -60,7 +60,8 @@ Ledger ledger(Solver& solver, const Scene& scene) {
         (body.name == "charge" ? sum.charge : sum.air) += V0 * state.energy;
       } else {
         sum.elastic += V0 * mpm::analysis::elastic_energy(body.law, state, body.template relative_volume<double>(p));
-        sum.fracture += body.volume()[p] * mpm::analysis::fracture_energy_spent(body.law, state, body.template particle_size<double>(p));
+        sum.fracture += body.volume()[p] *
+                        mpm::analysis::fracture_energy_spent(body.law, state, body.template particle_size<double>(p));
       }
     }
   });

@@ -2,7 +2,6 @@
 #pragma once
 #include <mpm/passes/domain_weights.hpp>
 #include <mpm/passes/scatter_lanes.hpp>
-#include <cmath>
 
 // Velocities that vary affinely round a particle, on shape functions in modes: the passes of apic.hpp. A node at the
 // offset k from the anchor gets sum w m (v + h C (k - c)), c being the centre of the weights as seen from the anchor.
