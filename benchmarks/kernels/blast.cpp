@@ -7,18 +7,18 @@
 namespace kernels {
 namespace {
 
-/// The default scene's rock under its in-situ stress, charge and air, from the blast on: 100 us, block of 3 m;
+/// The default scene's rock under its in-situ stress, charge and air, from the blast on: 100 us, in float;
 /// `guarded`: with the guards that the program sets on it, of energy and the copy of the last good state.
 template <bool guarded>
 void blast(benchmark::State& state) {
   program::use_threads(int(state.range(0)));
-  using Rock = blasting::Rock<blasting::CrackingRock>;
+  using Rock = blasting::Rock<blasting::CrackingRock, CpdiQuad, float>;
   blasting::Scene scene;
   const auto rock = blasting::make_rock<Rock>(scene);
   std::int64_t particle_steps = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    auto solver = blasting::blast_stage<Rock, Usl>(scene, rock);
+    auto solver = blasting::blast_stage<Rock, Musl>(scene, rock);
     EnergyGuard guard;
     blasting::LastGood<decltype(solver)> last_good(scene, ".");
     if (guarded) last_good.keep(solver);  // once a run: brings the memory of the copy
@@ -30,7 +30,8 @@ void blast(benchmark::State& state) {
     particle_steps +=
         solver.steps * std::int64_t(solver.body<0>().size() + solver.body<1>().size() + solver.body<2>().size());
   }
-  state.counters["bytes"] = double(rock.bytes_per_particle);
+  using Blasted = typename blasting::BlastSolver<Rock, Musl>::template BodyAt<0>;
+  state.counters["bytes"] = double(Blasted::bytes_per_particle);
   state.counters["flops"] = transfer_flops(rock, blasting::background<blasting::Space>(scene));
   state.SetItemsProcessed(particle_steps);
 }

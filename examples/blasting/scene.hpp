@@ -49,7 +49,7 @@ struct Scene {
   } air;
 
   struct Block {
-    double side = 3;
+    double side = 2.4;
     Faces faces = Faces::quiet;
   } block;
 
@@ -93,7 +93,7 @@ struct Scene {
     StressUpdate update = StressUpdate::musl;
     double flip = 1;
     double rest_speed = 1e-3;
-    Precision precision = Precision::double_;
+    Precision precision = Precision::float_;
   } step;
 
   double end_time = 300e-6;

@@ -154,11 +154,11 @@ TEST(Validate, ABurnSpeedNeedsAProgrammedBurn) {
 }
 
 TEST(Validate, TheHoleFitsTheBlock) {
-  EXPECT_EQ(
-      invalid({"model=full", "hole.y=-3 m"}),
-      "hole.y = -3000 mm: the hole leaves the block; its centre must stay 63 mm (3 radii) inside a block.side of 3 m");
-  EXPECT_NE(invalid({"model=full", "hole.x=1.45 m"}).find("too close"), std::string::npos);
-  EXPECT_EQ(invalid({"model=full", "hole.x=1.43 m", "output.probes=none"}), "no error");
+  EXPECT_EQ(invalid({"model=full", "hole.y=-3 m"}),
+            "hole.y = -3000 mm: the hole leaves the block; its centre must stay 63 mm (3 radii) inside a block.side of "
+            "2.4 m");
+  EXPECT_NE(invalid({"model=full", "hole.x=1.15 m"}).find("too close"), std::string::npos);
+  EXPECT_EQ(invalid({"model=full", "hole.x=1.13 m", "output.probes=none"}), "no error");
   EXPECT_EQ(invalid({"block.side=4 cm"}).substr(0, 46), "block.side = 0.04 m: the hole leaves the block");
 }
 
@@ -171,8 +171,8 @@ TEST(Validate, HolesAreApartAndEachIsWhole) {
   EXPECT_EQ(invalid({"model=full", "hole.x=0, 0.2"}),
             "hole.y = 0 mm: each hole needs both coordinates, and hole.x has 2");
   EXPECT_EQ(invalid({"hole.x=none", "hole.y=none"}), "hole.x = none: a blast needs a hole");
-  EXPECT_EQ(invalid({"model=full", "hole.x=0, 1.45", "hole.y=0, 0"}).substr(0, 34),
-            "hole.x = 1450 mm: the hole is too ");
+  EXPECT_EQ(invalid({"model=full", "hole.x=0, 1.15", "hole.y=0, 0"}).substr(0, 34),
+            "hole.x = 1150 mm: the hole is too ");
   EXPECT_EQ(invalid({"charge.delay=0, 1 us"}),
             "charge.delay = 0 us, 1 us: give one delay a hole, and there are 1 in hole.x, or none");
   EXPECT_EQ(invalid({"hole.x=0, 0.2", "hole.y=0, 0"}),
