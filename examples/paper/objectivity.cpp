@@ -2,6 +2,7 @@
 #include "report.hpp"
 #include "snapshot.hpp"
 #include "states.hpp"
+#include <blasting/laws.hpp>
 #include <mpm/analysis/crack_measures.hpp>
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,17 @@ void objectivity(Report& report) {
       reach = finer_reach, energy = finer_energy;
     }
   }
+
+  blasting::Scene brittle;  // too little energy to localise on its particles
+  brittle.rock.tensile.fracture_energy = 100;
+  std::string refusal;
+  try {
+    blasting::check_laws(brittle);
+  } catch (const mpm::io::InputError& error) {
+    refusal = error.what();
+  }
+  table.rows.push_back(
+      {"JH-2 with the tensile law, 100 J/m2", fixed(1e3 * brittle.grid.cell, 0), "", "", "refused: " + refusal});
 
   double least = 1e9, most = 0;
   for (const double level : equiaxial_levels) {

@@ -180,9 +180,7 @@ TEST(Claims, HoldOnCoarseCells) {
   for (const int seed : {1, 2, 3}) {
     States states;
     for (const auto& state : all_states()) {
-      auto scene = coarse_quarter(state, seed);
-      scene.block.side = 2.4;
-      const auto blast = run({name_of(state) + "-seed" + std::to_string(seed), scene}, folder);
+      const auto blast = run({name_of(state) + "-seed" + std::to_string(seed), coarse_quarter(state, seed)}, folder);
       ASSERT_TRUE(blast.completed()) << blast.problem;
       states[state] = measure(blast);
       EXPECT_LE(blast.number("energy.largest_loss"), .01 * blast.number("energy.charge")) << name_of(state);
