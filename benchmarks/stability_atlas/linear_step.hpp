@@ -11,8 +11,10 @@ namespace mpm::atlas {
 class LinearStep {
  public:
   virtual ~LinearStep() = default;
-  /// The solver's own step at safety 1.
+  /// The solver's own step of particles at rest, at safety 1.
   virtual double certain() const = 0;
+  /// The same by Irons' bound, a particle at a time, which is the step of particles that move.
+  virtual double irons() const = 0;
   /// 2/w of the highest frequency w of the nodes with their lumped masses: the limit where velocities never leave them.
   virtual double nodal_limit() = 0;
   /// The matrix of a step `dt`.

@@ -94,8 +94,10 @@ class SolverStep final : public LinearStep {
  public:
   using BodyT = typename SolverT::template BodyAt<0>;
 
-  explicit SolverStep(SolverT solver) : solver_(std::move(solver)), certain_(first_step()), rest_(solver_.body()) {}
+  explicit SolverStep(const SolverT& solver)
+      : fresh_(solver), solver_(solver), certain_(certain_step()), rest_(solver_.body()) {}
   double certain() const override { return certain_; }
+  double irons() const override { return irons_; }
 
   double nodal_limit() override {
     solver_.body() = rest_.body;
@@ -106,6 +108,7 @@ class SolverStep final : public LinearStep {
   Eigen::MatrixXd matrix(double dt) override {
     const int size = rest_.size();
     Eigen::MatrixXd A(size, size);
+    solver_ = fresh_;  // whose forces act for `dt` from the first step on
     BodyT& body = solver_.body();
     for (int j = 0; j < size; ++j) {
       body = rest_.body;
@@ -119,15 +122,20 @@ class SolverStep final : public LinearStep {
  private:
   static constexpr double amplitude = 1e-12;  // products of two of them are lost in round-off
 
-  /// Moves nothing, but brings the particles into their order; those after it are as long as they are asked to be.
-  double first_step() {
-    const double certain = double(solver_.step()) / double(solver_.safety);
-    solver_.safety = 1e9;
+  /// Of steps that move nothing, the longest after the first: that of a body which has been calm for a while. Those
+  /// after it are as long as they are asked to be.
+  double certain_step() {
+    constexpr int steps = Foreseeable<BodyT> ? CalmStiffness<BodyT>::calm_steps + 2 : 1;
+    irons_ = double(solver_.step()) / double(solver_.safety);
+    double longest = 0;
+    for (int k = 0; k < steps; ++k) longest = std::max(longest, double(solver_.step()));
+    const double certain = longest / double(solver_.safety);
+    fresh_.safety = 1e9;
     return certain;
   }
 
-  SolverT solver_;
-  double certain_;
+  SolverT fresh_, solver_;
+  double irons_ = 0, certain_;
   RestingParticles<BodyT> rest_;
 };
 

@@ -72,8 +72,9 @@ class Solver {
     if constexpr (stress_update == StressUpdate::first) strain_first(dt);  // sigma before the forces it makes
     boundary.load(grid);                    // f_I = sum (-V sigma grad w + w m b) + tractions, held reactions
     constrain(grid.increment);              // walls, rollers, nodes beside blocks at rest
-    integrator.advance(grid, dt);           // v_I+ = v_I + dt f_I / m_I
-    boundary.absorb(grid, dt);              // dashpots
+    const Scalar kick = next_kick(dt);      // from the middle of the last step to that of this one
+    integrator.advance(grid, kick);         // v_I+ = v_I + kick f_I / m_I
+    boundary.absorb(grid, kick);            // dashpots
     if constexpr (refines) refine_nodes();  // v_I+ sharpened
     gather(dt);                             // v_p += sum w (v_I+ - v_I); L = sum v_I (x) grad w, sigma, V; x_p
     convect_corners(dt);                    // CPDI2 domains ride the nodes
@@ -300,6 +301,18 @@ class Solver {
     }
   }
 
+  /// Velocities stand in the middle between two states of the stress, so that forces act from the middle of the last
+  /// step to that of this one: leapfrog with steps that differ. Where a step is much shorter than the last, by no more
+  /// than the safety leaves room for; later steps make up for it. USF does not know the step that its velocities are
+  /// for; there it is `dt`.
+  Scalar next_kick(Scalar dt) {
+    if (stress_update == StressUpdate::first) return dt;
+    if (steps == 0) behind_ = dt / 2;
+    const Scalar kick = std::min(behind_ + dt / 2, dt / std::sqrt(std::min(safety, Scalar(1))));
+    behind_ += dt - kick;
+    return kick;
+  }
+
   Moment now() const { return {steps, time}; }
   /// Throws Error on the particle that allows the shortest step.
   void blame_shortest() {
@@ -317,6 +330,7 @@ class Solver {
   Rest<S> rest_;
   std::vector<Vector<S>> smoothed_;
   Scalar stable_ = 0, first_stable_ = 0;
+  Scalar behind_ = 0;  ///< by how much the velocities are older than the stresses, s
 };
 
 }  // namespace mpm

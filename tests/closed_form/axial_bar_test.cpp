@@ -28,33 +28,35 @@ void expect_swing(double error, double period, double drift, const Integrator& i
 
 TEST(AxialBar, FilteredVelocitiesAreTheBest) {
   const Fmpm fmpm{.order = 4};
-  expect_swing<Cpdi>(.0033, 4.5e-5, 8.3e-4, fmpm);
-  expect_swing<Ugimp>(.0075, 1.3e-4, 2.5e-4, fmpm);
-  expect_swing<QuadraticBspline>(.0132, 2.4e-4, 4.5e-4, fmpm);
+  expect_swing<Cpdi>(.0033, 4.5e-5, -1e-5, fmpm);
+  expect_swing<Ugimp>(.0075, 1.3e-4, -6e-5, fmpm);
+  expect_swing<QuadraticBspline>(.0132, 2.4e-4, -4e-4, fmpm);
 }
 
 // Lumped masses make the bar slow, whenever it is strained; splines twice as much.
 TEST(AxialBar, LumpedMassesMakeItSlow) {
-  expect_swing<Cpdi, Usl>(.031, 6.5e-4, 4.3e-4);
-  expect_swing<Ugimp, Usl>(.032, 6.6e-4, -2.6e-4);
-  expect_swing<QuadraticBspline, Usl>(.046, 9.5e-4, 0);
+  expect_swing<Cpdi, Usl>(.031, 6.5e-4, -9e-4);
+  expect_swing<Ugimp, Usl>(.032, 6.6e-4, -6.9e-4);
+  expect_swing<QuadraticBspline, Usl>(.046, 9.5e-4, -1.26e-3);
   double coarse = 0, fine = 0;
   swing<Ugimp>(Usl{}, coarse, 25), swing<Ugimp>(Usl{}, fine, 50);
   EXPECT_NEAR(std::log2(coarse / fine), 1.75, .25);
 }
 
-// In a smooth mode the stress updates differ little; where a step velocity strikes, they do (tests/integrators). The
-// stress of USF and MUSL is a step apart, and so are their drifts.
+// In a smooth mode the stress updates differ little; where a step velocity strikes, they do (tests/integrators). USF
+// does not know how long its velocities will be used for, and drifts as the step changes.
 TEST(AxialBar, FirstAndModifiedLastDriftApart) {
   expect_swing<Cpdi, Usf>(.0166, 5.4e-4, -1.89e-3);
-  expect_swing<Cpdi, Musl>(.0309, 6.4e-4, 1.93e-3);
+  expect_swing<Cpdi, Musl>(.0309, 6.4e-4, 5e-5);
 }
 
-// Particles that cross into the next cell work with gradients that jump.
-TEST(AxialBar, LinearShapesGainEnergy) {
+// Particles that cross into the next cell change the step by far. If forces acted for the new step only, as in USF, the
+// energy would grow by a tenth.
+TEST(AxialBar, LinearShapesKeepTheEnergyThoughTheStepJumps) {
   double error = 0;
-  EXPECT_NEAR(swing<Linear>(Usl{}, error).energy_drift, .09, .02);
-  EXPECT_NEAR(swing<Linear>(Musl{}, error).energy_drift, .13, .03);
+  EXPECT_NEAR(swing<Linear>(Usl{}, error).energy_drift, -5.5e-4, 2e-4);
+  EXPECT_NEAR(swing<Linear>(Musl{}, error).energy_drift, 5e-5, 2e-4);
+  EXPECT_GT(std::abs(swing<Linear>(Usf{}, error).energy_drift), .05);
 }
 
 // What PIC filters in each step is lost.

@@ -43,7 +43,7 @@ TYPED_TEST(LetRest, ChangesNothingThatMatters) {
   some.let_rest(this->speed);
   const int at_first = this->asleep(some);
   EXPECT_GT(at_first, 60) << "of the 81 with particles";
-  const double end = .5 * this->cells / std::sqrt(1e9 / 1000);  // the wave crosses the block after about .86
+  const double end = .45 * this->cells / std::sqrt(1e9 / 1000);  // the wave crosses the block after about .86
   all.run(end);
   some.run(end);
   EXPECT_LT(this->asleep(some), 2 * at_first / 3) << "the wave wakes what it reaches";

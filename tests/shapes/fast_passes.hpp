@@ -216,7 +216,9 @@ TYPED_TEST_P(FastPasses, FindTheStableStepThatThePlainOneFinds) {
 
   passes.locate(rock, this->grid);
   passes.template scatter<What::momentum_and_forces, true>(rock, this->grid, this->grid.velocity, this->weight, 0);
-  EXPECT_NEAR(passes.stable_step(rock, this->grid) / fast, 1, 1e-5) << "seen on the way of another pass";
+  const Real seen = passes.stable_step(rock, this->grid);  // on the way of another pass, lane by lane
+  EXPECT_LE(seen, plain * Real(1 + 1e-5));
+  EXPECT_GE(seen, fast * Real(1 - 1e-5));
 }
 
 REGISTER_TYPED_TEST_SUITE_P(FastPasses, GiveTheNodesWhatThePlainOnesGive, GiveInPartsWhatTheyGiveAtOnce,

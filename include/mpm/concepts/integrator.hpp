@@ -15,7 +15,8 @@ enum class StressUpdate {
 ///   - `stress_update`: a StressUpdate;
 ///   - `keeps_node_velocity`: nodes carry their velocities from step to step, and particles carry none;
 ///   - `step_interval`: the stable step is computed again every so many steps;
-///   - `advance(grid, dt)`: from v_I, f_I and m_I to v_I+ and the increment v_I+ - v_I;
+///   - `advance(grid, dt)`: from v_I, f_I and m_I to v_I+ and the increment v_I+ - v_I; dt is the time between the
+///     middles of the last step and this one;
 ///   - `particle_velocity(v_p, v, dv)`, unless nodes keep theirs: the new v_p from the old one and the interpolated
 ///     v_I+ and increment;
 ///   - optional `refine(grid, steps, residual)`, to undo what the transfers smooth: changes the advanced v_I+ and the

@@ -259,31 +259,32 @@ Relocated locate(Body& body, Grid<S>& grid, ParticleOrder& order, bool settled =
 
 /// Calls f(begin, end) for the particles of every strip that are worked on, such that no two threads touch one node:
 /// even strips at once, then odd ones. The order is fixed, so sums have the same bits at any thread count. Returns the
-/// least of what f returns. f(begin, end, most) may also raise `most`.
-template <class F>
+/// least of what f returns. f(begin, end, most) may also raise `most`. With three colours particles may touch a row
+/// more than where they stand.
+template <int Colours = 2, class F>
 std::size_t for_each_strip(const ParticleOrder& order, const F& f, double& most) {
   const int strips = int(order.strip_begin.size()) - 1;
   std::size_t least = std::numeric_limits<std::size_t>::max();
 #pragma omp parallel reduction(min : least) reduction(max : most) if (order.chunks.worth_threads())
-  for (int colour = 0; colour < 2; ++colour) {
+  for (int colour = 0; colour < Colours; ++colour) {
 #pragma omp for schedule(dynamic, 1)
-    for (int s = colour; s < strips; s += 2)
+    for (int s = colour; s < strips; s += Colours)
       order.for_each_run(std::size_t(s),
                          [&](std::size_t begin, std::size_t end) { least = std::min(least, f(begin, end, most)); });
   }
   return least;
 }
-template <class F>
+template <int Colours = 2, class F>
 std::size_t for_each_strip(const ParticleOrder& order, const F& f) {
   double none = 0;
-  return for_each_strip(
+  return for_each_strip<Colours>(
       order, [&](std::size_t begin, std::size_t end, double&) { return f(begin, end); }, none);
 }
 
 /// Calls f(p) for every particle that is worked on, strip by strip, then for the wide particles one by one.
-template <class F>
+template <int Colours = 2, class F>
 void for_each_coloured(const ParticleOrder& order, const F& f) {
-  for_each_strip(order, [&](std::size_t begin, std::size_t end) {
+  for_each_strip<Colours>(order, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) f(p);
     return end;
   });

@@ -105,11 +105,12 @@ struct Given {
 
 /// m_I += w m and (m v)_I += w m v, f_I += -V sigma grad w + w m b, or both at once. Returns the first particle whose
 /// forces come from a stress that is no finite number, or body.size() or more. Where it `measures`, `inverse_square` is
-/// raised to 1/dt^2 of the largest stable step by `limits`, a chunk each, to infinity if these are not known.
-template <What what, bool measures, class Body, class Force, class S = typename Body::SpaceType>
+/// raised to 1/dt^2 of the largest stable step of the chunks that looks_at(chunk), by `limits`, to infinity if these
+/// are not known.
+template <What what, bool measures, class Body, class Force, class F, class S = typename Body::SpaceType>
 std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid, std::vector<Vector<S>>& momentum,
                     const Force& body_force, double time, const std::vector<StepLimits<typename S::Scalar>>& limits,
-                    double& inverse_square) {
+                    const F& looks_at, double& inverse_square) {
   using Scalar = typename S::Scalar;
   using V = typename Body::Lane;
   using Record = detail::ScatterRecord<S>;
@@ -128,20 +129,23 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
       next_chunk = std::min(end, first / chunk_size * chunk_size + chunk_size);
       const int size = int(next_chunk - first);
       bool fit;
+      const bool looks = measures && looks_at(first / chunk_size);
+      if (!looks) fit = w.compute(body, first, size, grid);
       if constexpr (measures) {
-        detail::GridStiffness<V> stiffness;
-        fit = w.compute(
-            body, first, size, grid, [&](int l, const auto& modes, bool serve) __attribute__((always_inline)) {
-              detail::raise_stiffness(
-                  stiffness, body, first + std::size_t(l), size - l, grid, [&](auto& b) __attribute__((always_inline)) {
-                    return serve && detail::register_stiffness<Body>(modes, grid, b);
-                  });
-            });
-        const auto& limit = limits[first / chunk_size];
-        needed = larger_or_nan(needed, limit.known ? detail::inverse_square_step<V>(limit, stiffness, grid.cell())
-                                                   : V(std::numeric_limits<Scalar>::infinity()));
-      } else {
-        fit = w.compute(body, first, size, grid);
+        if (looks) {
+          GridStiffness<V> stiffness;
+          fit = w.compute(
+              body, first, size, grid, [&](int l, const auto& modes, bool serve) __attribute__((always_inline)) {
+                detail::raise_stiffness(
+                    stiffness, body, first + std::size_t(l), size - l,
+                    grid, [&](auto& b) __attribute__((always_inline)) {
+                      return serve && detail::register_stiffness<Body>(modes, grid, b);
+                    });
+              });
+          const auto& limit = limits[first / chunk_size];
+          needed = larger_or_nan(needed, limit.known ? detail::inverse_square_step<V>(limit, stiffness, grid.cell())
+                                                     : V(std::numeric_limits<Scalar>::infinity()));
+        }
       }
       if (!fit) {
         for (std::size_t p = first; p < first + std::size_t(size); ++p)

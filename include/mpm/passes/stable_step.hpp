@@ -10,50 +10,72 @@
 // The largest step that is stable.
 namespace mpm {
 
-/// Share of a particle below which a node is left out of Irons' bound: 1e-9, and no less than round-off leaves right.
+/// Slope of a weight over the weight, by cell, beyond which Irons' bound leaves the slope out: the small-mass limit of
+/// the linear shape, whose weight fades with its slope still one. Weights that fade with their slopes come there only
+/// when they hardly touch the node.
 template <class Scalar>
-inline constexpr Scalar negligible_weight = std::max(Scalar(1e-9), 16 * std::numeric_limits<Scalar>::epsilon());
+inline constexpr Scalar steepest_slope = 1 / std::max(Scalar(1e-9), 16 * std::numeric_limits<Scalar>::epsilon());
 
-/// Eigenvalues of G_p = sum_I grad w_I (x) grad w_I / w_I, 1/m2: how stiff the grid is to one particle.
-///
-/// A node that stands twice in a stencil counts as two, which can only overestimate it. One of negligible weight is
-/// left out: its share of the bound is the small-mass limit of the linear shape. A negative weight, of a concave
-/// quadrilateral, counts by its size.
-template <class S, class Out>
-std::array<typename S::Scalar, S::dimension> grid_stiffness(const Out& stencil) {
-  using Scalar = typename S::Scalar;
-  constexpr int dimension = S::dimension;
-  Scalar G[dimension][dimension] = {};
-  for (const auto& [I, w, grad] : stencil) {
-    if (std::abs(w) < negligible_weight<Scalar>) continue;
-    const Scalar inverse = 1 / std::abs(w);
-    for (int i = 0; i < dimension; ++i)
-      for (int j = 0; j < dimension; ++j) G[i][j] += grad[i] * grad[j] * inverse;
+/// How stiff the grid is to particles, 1/m2. One that takes the mass m_pI of node I bounds the frequencies with
+/// G_p = sum_I d_I (x) d_I m_p / m_pI, d = grad w, and w/r beside it where there is a hoop strain: 2 G times the
+/// largest eigenvalue of G_p, and lambda times sum_I abs(d_I + e_r w/r)^2 m_p / m_pI. With lanes for V, the largest by
+/// lane.
+template <class V>
+struct GridStiffness {
+  V most{0};     ///< the largest eigenvalue, which goes with twice the shear modulus
+  V volume{0};   ///< that sum, which goes with lambda
+  V unsound{0};  ///< NaN where one of them was no finite number
+
+  template <class B>
+  void raise(const GridStiffness<B>& b) {
+    most = max(most, V(b.most)), volume = max(volume, V(b.volume));
+    unsound += V(0) * V(b.volume) + V(b.unsound);
   }
-  if constexpr (dimension == 1) {
-    return {G[0][0]};
-  } else if constexpr (dimension == 2) {
-    const Scalar mean = (G[0][0] + G[1][1]) / 2, half = (G[0][0] - G[1][1]) / 2;
-    const Scalar radius = std::sqrt(half * half + G[0][1] * G[0][1]);
-    return {mean + radius, mean - radius};
-  } else {
-    return {G[0][0], G[1][1], G[2][2]};  // product bases: diagonal
+};
+
+/// A particle's own share of its nodes, m_pI = m_p w_Ip: Irons' bound, a particle at a time. A negative weight, of a
+/// concave quadrilateral, counts by its size.
+struct OwnShare {
+  /// m_p / m_pI
+  auto operator()(const auto& entry) const { return 1 / std::abs(entry.weight); }
+};
+
+/// The stiffness of a grid of such cells to one particle at `radius`, with m_p / m_pI = over_share(entry). A node that
+/// stands twice in a stencil counts as two, which can only overestimate it.
+template <class S, class Out, class Share, class Scalar = typename S::Scalar>
+GridStiffness<Scalar> grid_stiffness(const Out& stencil, Scalar radius, Scalar cell, const Share& over_share) {
+  constexpr int D = S::dimension, rows = D + S::hoop;
+  Scalar G[rows][rows] = {};
+  for (const auto& entry : stencil) {
+    const Scalar factor = over_share(entry);
+    if (factor > std::numeric_limits<Scalar>::max()) continue;  // it does not touch the node
+    Scalar d[rows];
+    for (int i = 0; i < D; ++i) {
+      const bool fades = std::abs(entry.gradient[i]) * cell < steepest_slope<Scalar> * std::abs(entry.weight);
+      d[i] = fades ? entry.gradient[i] : 0;
+    }
+    if constexpr (S::hoop) d[D] = entry.weight / radius;
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j <= i; ++j) G[i][j] += d[i] * d[j] * factor;
   }
+  GridStiffness<Scalar> b{.most = G[0][0], .volume = G[0][0]};
+  for (int k = 1; k < rows; ++k) {  // bordered by one row more: exact for two, a bound for three
+    Scalar coupling = 0;
+    for (int i = 0; i < k; ++i) coupling += G[k][i] * G[k][i];
+    const Scalar mean = (b.most + G[k][k]) / 2, half = (b.most - G[k][k]) / 2;
+    b.most = mean + std::sqrt(half * half + coupling);
+    b.volume += G[k][k];
+  }
+  if constexpr (S::hoop) b.volume += 2 * G[D][0];
+  return b;
 }
 
-/// Largest stable step of particle p: Irons' bound 2 / sqrt(l_max(C : diag(b)) / rho) with the law's tangent, a bound
-/// of the eigenvalues of its normal block by 2 G max b + lambda sum b (exact for equal b).
-template <class S, class Out>
-typename S::Scalar irons_step(const Out& stencil, const Moduli<typename S::Scalar>& C, typename S::Scalar density,
-                              typename S::Scalar radius) {
-  using Scalar = typename S::Scalar;
-  const auto b = grid_stiffness<S>(stencil);
-  const Scalar lambda = std::max(Scalar(0), C.longitudinal - 2 * C.shear);
-  Scalar sum = 0, largest = 0;
-  for (Scalar k : b) sum += k, largest = std::max(largest, k);
-  if constexpr (S::hoop) sum += 1 / (radius * radius), largest = std::max(largest, 1 / (radius * radius));
-  const Scalar shear = S::dimension == 1 ? 2 * C.shear * largest : C.shear * std::max(2 * largest, sum);
-  return 2 / std::sqrt((shear + lambda * sum) / density);
+/// 1/dt^2 of the largest stable step of particles in such a grid, with the moduli over the density: dt = 2/w with
+/// w^2 = (2 G most + lambda volume) / rho, since 2 G abs(strain)^2 + lambda tr^2 is at most that with grad u for the
+/// strain.
+template <class V>
+V inverse_square_step(const V& lambda, const V& shear, const GridStiffness<V>& b) {
+  return V(0.25) * (V(2) * shear * b.most + lambda * b.volume);
 }
 
 /// The step that is safe for particle p: Irons' bound with the tangent moduli, reduced for bulk viscosity, and
@@ -64,7 +86,9 @@ typename S::Scalar stable_step(const Body& body, std::size_t p, const Grid<S>& g
   const auto stencil = make_stencil(body, p, grid);
   const auto moduli = body.law.tangent(body.state(p), body.relative_volume(p));
   const Scalar density = body.mass()[p] / body.volume()[p];
-  Scalar dt = irons_step<S>(stencil, moduli, density, body.x(0)[p]);
+  const Scalar lambda = std::max(Scalar(0), moduli.longitudinal - 2 * moduli.shear);
+  const auto stiffness = grid_stiffness<S>(stencil, body.x(0)[p], grid.cell(), OwnShare{});
+  Scalar dt = 1 / std::sqrt(inverse_square_step(lambda / density, moduli.shear / density, stiffness));
   const auto L = velocity_gradient<S>(stencil, grid.velocity, body.x(0)[p]);
   if constexpr (requires { body.law.viscosity; })
     dt *= body.law.viscosity.step_factor(std::sqrt(moduli.longitudinal / density), trace(L), grid.cell());
@@ -98,70 +122,60 @@ typename S::Scalar stable_step(const Body& body, const ChunkList& chunks, const 
 
 namespace detail {
 
-/// What the stencils of a chunk of particles make of moduli: the largest of max(2 max b, sum b), which goes with the
-/// shear modulus, and of sum b, which goes with lambda, 1/m2; see irons_step. With lanes for V, the largest by lane.
-template <class V>
-struct GridStiffness {
-  V shear{0}, lambda{0};
-  V unsound{0};  ///< NaN where one of them was no finite number
-
-  template <class S, class B>
-  void raise(const std::array<B, S::dimension>& b, const V& radius) {
-    V sum(0), most(0);
-    for (const B& k : b) sum += V(k), most = max(most, V(k));
-    if constexpr (S::hoop) {
-      const V hoop = V(1) / (radius * radius);
-      sum += hoop, most = max(most, hoop);
-    }
-    shear = max(shear, S::dimension == 1 ? V(2) * most : max(V(2) * most, sum));
-    lambda = max(lambda, sum);
-    unsound += V(0) * sum;
+/// The stiffness of a grid whose G_p has these eigenvalues, from shares that are the particles' own: with them the hoop
+/// stands alone.
+template <class S, class V>
+[[gnu::always_inline]] inline GridStiffness<V> stiffness_of(const std::array<V, S::dimension>& b, const V& radius) {
+  GridStiffness<V> stiffness;
+  for (const V& k : b) stiffness.volume += k, stiffness.most = max(stiffness.most, k);
+  if constexpr (S::hoop) {
+    const V hoop = V(1) / (radius * radius);
+    stiffness.volume += hoop, stiffness.most = max(stiffness.most, hoop);
   }
-};
+  return stiffness;
+}
 
 /// sum w'^2/w along each axis, 1/cell^2, from its modes.
 template <class V, int K, std::size_t D>
 [[gnu::always_inline]] inline void axis_stiffness(const std::array<AxisModes<V, K>, D>& modes, std::array<V, D>& b) {
-  const V least(negligible_weight<typename V::Scalar>);
+  const V steepest(steepest_slope<typename V::Scalar>);
   shapes::unrolled<int(D)>([&](auto d) __attribute__((always_inline)) {
     const AxisModes<V, K>& m = modes[d];
-    const auto part = [&](const V& w, const V& dw) __attribute__((always_inline)) {
-      return select(w > least, dw * dw, V(0));
-    };
-    V weight = m.weight[0], slope = m.slope[0];
-    V over = part(weight, slope), under = max(weight, least);  // a fraction: a division takes longer than the rest
+    V over(0), under(1);  // a fraction: a division takes longer than the rest
     const auto add = [&](const V& w, const V& dw) __attribute__((always_inline)) {
-      const V sound = max(w, least);
-      over = over * sound + part(w, dw) * under;
+      const auto fades = abs(dw) < steepest * w;
+      const V sound = select(fades, w, V(1));
+      over = over * sound + select(fades, dw * dw, V(0)) * under;
       under *= sound;
     };
-    shapes::unrolled<AxisModes<V, K>::stored - 1>([&](auto k) __attribute__((always_inline)) {
-      add(m.weight[k + 1], m.slope[k + 1]);
-      weight += m.weight[k + 1], slope += m.slope[k + 1];
+    V weight(0), slope(0);
+    shapes::unrolled<AxisModes<V, K>::stored>([&](auto k) __attribute__((always_inline)) {
+      add(m.weight[k], m.slope[k]);
+      weight += m.weight[k], slope += m.slope[k];
     });
     if constexpr (K > 2) add(V(1) - weight, slope);  // the anchor's
     b[d] = over / under;
   });
 }
 
-/// Eigenvalues of G_p, 1/cell^2, of a domain in modes; see grid_stiffness.
+/// Eigenvalues of G_p, 1/cell^2, of a domain in modes; see GridStiffness.
 template <class V>
 [[gnu::always_inline]] inline std::array<V, 2> domain_stiffness(DomainModes<V> m) {
   shapes::all_to_nodes<2, 3>(m.weight);
   for (V* slope : m.slope) shapes::all_to_nodes<2, 3>(slope);
-  const V least(negligible_weight<typename V::Scalar>);
+  const V least(std::numeric_limits<typename V::Scalar>::min()), steepest(steepest_slope<typename V::Scalar>);
   V xx(0), yy(0), xy(0);
   for (int k = 0; k < m.modes; ++k) {
-    const V w = abs(m.weight[k]), inverse = select(w > least, V(1) / max(w, least), V(0));
-    const V gx = m.slope[0][k], gy = m.slope[1][k];
+    const V w = abs(m.weight[k]), inverse = V(1) / max(w, least);
+    const V gx = select(abs(m.slope[0][k]) < steepest * w, m.slope[0][k], V(0));
+    const V gy = select(abs(m.slope[1][k]) < steepest * w, m.slope[1][k], V(0));
     xx += gx * gx * inverse, yy += gy * gy * inverse, xy += gx * gy * inverse;
   }
   const V mean = V(0.5) * (xx + yy), half = V(0.5) * (xx - yy), radius = sqrt(half * half + xy * xy);
   return {mean + radius, mean - radius};
 }
 
-/// What the grid is to a register of particles, 1/cell^2, as in grid_stiffness, from their modes. Returns false where
-/// these do not serve.
+/// Eigenvalues of G_p, 1/cell^2, of a register of particles from their modes. Returns false where these do not serve.
 template <class Body, class S, class V, int K>
 [[gnu::always_inline]] inline bool register_stiffness(const std::array<AxisModes<V, K>, S::dimension>& modes,
                                                       const Grid<S>& grid, std::array<V, S::dimension>& b) {
@@ -204,10 +218,10 @@ template <class Body, class S, class V, class F>
       for (V& k : b) k = select(meant, k, V(0));
       radius = select(meant, radius, V(radius[0]));
     }
-    stiffness.template raise<S>(b, radius);
+    stiffness.raise(stiffness_of<S>(b, radius));
   } else {
     for (std::size_t q = p; q < p + std::size_t(std::min(V::size, valid)); ++q)
-      stiffness.template raise<S>(grid_stiffness<S>(make_stencil(body, q, grid)), V(body.x(0)[q]));
+      stiffness.raise(grid_stiffness<S>(make_stencil(body, q, grid), body.x(0)[q], grid.cell(), OwnShare{}));
   }
 }
 /// Stiffness of the grid to a chunk of particles.
@@ -222,7 +236,7 @@ GridStiffness<V> chunk_stiffness(const Body& body, std::size_t first, int count,
 }
 template <class T, int N>
 GridStiffness<T> over_lanes(const GridStiffness<Lanes<T, N>>& b) {
-  return {largest(b.shear), largest(b.lambda), total(b.unsound)};
+  return {largest(b.most), largest(b.volume), total(b.unsound)};
 }
 
 /// 1/dt^2 of the largest stable step of a chunk of particles, by lane, from its limits and the stiffness of the grid to
@@ -230,7 +244,7 @@ GridStiffness<T> over_lanes(const GridStiffness<Lanes<T, N>>& b) {
 template <class V, class B, class Scalar = typename V::Scalar>
 V inverse_square_step(const StepLimits<Scalar>& l, const GridStiffness<B>& b, Scalar cell) {
   const Scalar pace = 2 * l.speed / cell;
-  return larger_or_nan(V(Scalar(0.25)) * (V(l.shear) * V(b.shear) + V(l.lambda) * V(b.lambda)) + V(b.unsound),
+  return larger_or_nan(V(mpm::inverse_square_step(B(l.lambda), B(l.shear), b) + b.unsound),
                        V(larger_or_nan(100 * l.rate, pace * pace)));
 }
 

@@ -4,7 +4,7 @@
 #include <mpm/concepts/integrator.hpp>
 #include <mpm/corner_nodes.hpp>
 #include <mpm/passes/corner_lanes.hpp>
-#include <mpm/passes/stable_step.hpp>
+#include <mpm/passes/shared_mass.hpp>
 
 namespace mpm {
 
@@ -42,6 +42,7 @@ class Transfer {
   static constexpr bool in_modes = InModes<Body> && !by_corners;
   /// Weights along axes tell a scatter at once how stiff the grid is to the particles.
   static constexpr bool sees_stiffness = in_modes && HasModes<Body> && IntegratorT::step_interval == 1;
+  static constexpr bool may_be_calm = Foreseeable<Body> && IntegratorT::step_interval == 1;
   static constexpr bool corners_in_lanes = std::is_same_v<Shape, CpdiQuad>;
 
   static constexpr bool domains_change = Shape::domain_motion != DomainMotion::rigid;
@@ -67,6 +68,7 @@ class Transfer {
       forget();
     }
     limits_.resize(chunk_count(body), limits_of_all);
+    kept_.resize(chunk_count(body));
     if constexpr (by_corners) {
       if (changed != Relocated::nothing) corners_.choose(body.shape, order_.chunks);
       corners_.locate(body.shape.corner, grid);
@@ -175,7 +177,7 @@ class Transfer {
         fastest = std::max(fastest, v.cwiseAbs().maxCoeff());
       for (auto& limit : limits_) limit.speed = fastest;
     }
-    if constexpr (Move && domains_change) note_motion(grid, dt);
+    if constexpr (Move) note_motion(body, grid, dt);
     return bad;
   }
   /// Corners ride the nodes, with the field that strained the particles. Returns the first particle whose domain has
@@ -222,50 +224,50 @@ class Transfer {
     mpm::scatter_force_scale(body, order_, grid, scale);
   }
 
-  /// The largest stable step of the body, unless a scatter has just found it. Domains of CPDI keep the stiffness of
-  /// their stencils while they have moved by less than a 25th of their size: its weights have no kinks that would make
-  /// it jump.
-  Scalar stable_step(const Body& body, const Grid<S>& grid) {
-    if (inverse_square_step_ < unknown_)
-      return 1 / std::sqrt(std::max(inverse_square_step_, std::numeric_limits<Scalar>::min()));
+  /// The largest stable step of the body: with shared masses while all of it is calm, otherwise from what is kept of
+  /// its chunks or the scatter has just seen; others are looked at.
+  Scalar stable_step(Body& body, const Grid<S>& grid) {
     if (IntegratorT::step_interval > 1) return mpm::stable_step(body, order_.chunks, grid);
-    if constexpr (HasModes<Body> || !domains_change) {
-      return mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
-        return detail::chunk_stiffness(body, first, count, grid);
-      });
-    } else {
-      motion_.resize(limits_.size(), std::numeric_limits<Scalar>::max());
-      stiffness_.resize(limits_.size());
-      return mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
-        const std::size_t c = first / chunk_size;
-        if (motion_[c] > body.template particle_size<Scalar>(first) / 25) {
-          stiffness_[c] = detail::over_lanes(detail::chunk_stiffness(body, first, count, grid));
-          motion_[c] = 0;
-        }
-        return stiffness_[c];
-      });
+    if constexpr (may_be_calm) {
+      calm_.find_if_due(body, order_, grid);
+      if (calm_.serves())
+        return mpm::stable_step(body, order_.chunks, grid, limits_,
+                                [&](std::size_t first, int) { return calm_.of_chunk(first / chunk_size); });
     }
+    const bool all_seen = inverse_square_step_ < unknown_;
+    const Scalar seen = std::max(all_seen ? inverse_square_step_ : 0, std::numeric_limits<Scalar>::min());
+    if (all_seen && !Foreseeable<Body>) return 1 / std::sqrt(seen);
+    const Scalar others = mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
+      const std::size_t c = first / chunk_size;
+      if (all_seen && !kept_.knows(c) && !kept_.worthwhile(c)) return GridStiffness<Scalar>{};
+      return kept_.of(body, first, count, grid);
+    });
+    return std::min(others, 1 / std::sqrt(seen));
   }
 
   /// Forgets what the last step knew of the particles.
   void forget() {
     limits_.clear();
-    motion_.clear();
+    kept_.forget();
+    calm_.forget();
   }
 
   const Columns<Scalar, column_count>& columns() const { return columns_; }
 
  private:
   static constexpr Scalar unknown_ = std::numeric_limits<Scalar>::infinity();
-  /// How far domains may have moved or stretched in this step.
-  void note_motion(const Grid<S>& grid, Scalar dt) {
+  /// How far particles, or domains that stretch, may have moved in this step.
+  void note_motion(const Body& body, const Grid<S>& grid, Scalar dt) {
+    if constexpr (!domains_change && !Foreseeable<Body>) return;
     Scalar farthest = 0;
     for (std::size_t c = 0; c < limits_.size(); ++c) {
-      const Scalar motion = dt * (limits_[c].speed + grid.cell() * std::sqrt(limits_[c].rate));
-      if (c < motion_.size()) motion_[c] += motion;
+      Scalar motion = dt * limits_[c].speed;
+      if constexpr (domains_change) motion += dt * grid.cell() * std::sqrt(limits_[c].rate);
+      kept_.note(body, c, motion, grid);
       farthest = std::max(farthest, motion);
     }
     strayed_ += farthest;
+    calm_.note(body, farthest, grid);
   }
   template <What what, bool measures, class Nodes, class Force>
   std::size_t scatter_to(const Body& body, Nodes& own, std::vector<Vector<S>>& momentum, const Force& body_force,
@@ -279,7 +281,9 @@ class Transfer {
     std::size_t bad;
     if constexpr (in_modes) {
       double inverse_square = 0;
-      bad = lanes::scatter<what, measures>(body, order_, own, momentum, body_force, time, limits_, inverse_square);
+      const auto looks_at = [&](std::size_t c) { return !calm_.serves() && !kept_.knows(c); };
+      bad = lanes::scatter<what, measures>(body, order_, own, momentum, body_force, time, limits_, looks_at,
+                                           inverse_square);
       if (measures && order_.tail_begin() == body.size()) inverse_square_step_ = Scalar(inverse_square);
     } else {
       bad = for_each_strip(order_, plainly);
@@ -324,11 +328,11 @@ class Transfer {
   std::conditional_t<by_corners, CornerNodes<S>, NodalFields<S>> corners_;
   std::conditional_t<mean_dilatation<Shape>, CellDilatation<S>, OwnDilatation> dilatation_;
   std::vector<StrainWork> partial_;
-  std::vector<StepLimits<Scalar>> limits_;                ///< of every chunk
-  std::vector<detail::GridStiffness<Scalar>> stiffness_;  ///< of every chunk
-  std::vector<Scalar> motion_;                            ///< of every chunk since then, m
-  Scalar inverse_square_step_ = unknown_;                 ///< 1/dt^2 of the stable step, where a scatter has found it
-  Scalar strayed_ = 0;                                    ///< largest motion since the places were found, m
+  std::vector<StepLimits<Scalar>> limits_;  ///< of every chunk
+  KeptStiffness<Body> kept_;
+  Scalar inverse_square_step_ = unknown_;  ///< 1/dt^2 of the stable step, where a scatter has found it
+  std::conditional_t<may_be_calm, CalmStiffness<Body>, NeverCalm> calm_;
+  Scalar strayed_ = 0;  ///< largest motion since the places were found, m
 };
 
 }  // namespace mpm
