@@ -185,7 +185,7 @@ TEST(CalmStep, IsFoundAnewOnTheWay) {
   }
   EXPECT_NEAR(changes, moved / .02, 1);
 }
-// What swings, or is on its way faster, keeps Irons' step.
+// What is on its way faster keeps Irons' step.
 TEST(CalmStep, IsNotForWhatMoves) {
   const auto dt = steps_of_block(1e-3, 600);
   EXPECT_LT(*std::max_element(dt.begin() + 513, dt.end()), 1.05 * dt[0]);
