@@ -10,7 +10,7 @@ void run(const Scene& scene, const Options& options) {
   if (rock.law == RockLaw::elastic) return run_with<Rock<ElasticRock>>(scene, options);
   if (rock.tensile.law == TensileLaw::none) return run_with<Rock<CrushingRock>>(scene, options);
   if (rock.shape == RockShape::ugimp) return run_with<Rock<CrackingRock, Ugimp>>(scene, options);
-  if (scene.step.precision == Precision::float_) return run_with<Rock<CrackingRock, CpdiQuad, float>>(scene, options);
+  if (scene.step.precision != Precision::double_) return run_with<Rock<CrackingRock, CpdiQuad, float>>(scene, options);
   run_with<Rock<CrackingRock>>(scene, options);
 }
 

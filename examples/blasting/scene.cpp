@@ -116,9 +116,9 @@ Parameters stages(Scene& s) {
        "m/s",
        "rock rests at no cost until something near it moves faster; 0: none does",
        {0, 1}},
-      {"step.precision", Choice(s.step.precision, {"double", "float"}), "",
-       "numbers of the blast: half the bytes in float, for JH-2 with the tensile law on cpdi2; other rock takes "
-       "double"},
+      {"step.precision", Choice(s.step.precision, {"auto", "double", "float"}), "",
+       "numbers of the blast; auto: float, half the bytes, for JH-2 with the tensile law on cpdi2, double for other "
+       "rock"},
       {"end_time", &s.end_time, "us", "simulated time of the blast", {0, 1, true}},
       {"output.snapshots", &s.output.snapshots, "", "snapshots of the blast, the last at the end time", {0, 100000}},
       {"output.probes", &s.output.probes, "m", "distances from the first hole's centre, with commas, or none",
@@ -221,6 +221,10 @@ void check_kind(const Scene& s) {
   if (s.rock.shape == RockShape::ugimp && !cracking)
     throw InputError(
         "rock.shape = ugimp: only for rock.law = jh2 with rock.tensile.law = rankine, set those or keep the default");
+  if (s.step.precision == Precision::float_ && (s.rock.shape == RockShape::ugimp || !cracking))
+    throw InputError(
+        "step.precision = float: only for rock.law = jh2 with rock.tensile.law = rankine on rock.shape = cpdi2, set "
+        "those or keep the default");
 }
 
 void check_probes(const Scene& s) {

@@ -22,7 +22,7 @@ enum class TensileLaw { rankine, none };
 enum class StressStart { kirsch, far_field };
 enum class Faces { quiet, free };
 enum class StressUpdate { usl, musl, usf };
-enum class Precision { double_, float_ };
+enum class Precision { automatic, double_, float_ };
 
 /// Every parameter of a run, in SI. The member initialisers are the default scene. An optional member, when set,
 /// replaces the preset's value. Meanings, units and valid values: `parameters`.
@@ -93,7 +93,7 @@ struct Scene {
     StressUpdate update = StressUpdate::musl;
     double flip = 1;
     double rest_speed = 1e-3;
-    Precision precision = Precision::float_;
+    Precision precision = Precision::automatic;
   } step;
 
   double end_time = 300e-6;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/columns.hpp>
+#include <mpm/threads.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -38,9 +39,8 @@ class ChunkList {
   /// Calls f(first, count) for every chunk of the list, in parallel.
   template <class F>
   void for_each(const F& f) const {
-    const std::int64_t chunks = std::int64_t(size());
-#pragma omp parallel for schedule(static) if (worth_threads())
-    for (std::int64_t k = 0; k < chunks; ++k) f(first(std::size_t(k)), count(std::size_t(k)));
+    for_each_part(std::int64_t(size()), worth_threads(),
+                  [&](std::int64_t k) { f(first(std::size_t(k)), count(std::size_t(k))); });
   }
   /// Calls f(entry) for every entry of its chunks, in parallel; f may write to its own entry only.
   template <class F>
@@ -49,15 +49,19 @@ class ChunkList {
       for (std::size_t p = begin; p < begin + std::size_t(n); ++p) f(p);
     });
   }
-  /// The least of what f(first, count) returns of its chunks, or the number of entries.
-  template <class F>
-  std::size_t least(const F& f) const {
-    std::int64_t least = std::int64_t(entries_);
-    const std::int64_t chunks = std::int64_t(size());
-#pragma omp parallel for schedule(static) reduction(min : least) if (worth_threads())
-    for (std::int64_t k = 0; k < chunks; ++k)
-      least = std::min(least, std::int64_t(f(first(std::size_t(k)), count(std::size_t(k)))));
-    return std::size_t(least);
+  /// The least of `most` and what f(first, count) returns of its chunks.
+  template <class T, class F>
+  T least(T most, const F& f) const {
+    const auto lesser = [](T a, T b) { return std::min(a, b); };
+    return over_parts(
+        std::int64_t(size()), worth_threads(), most,
+        [&](std::int64_t begin, std::int64_t end) {
+          T least = most;
+          for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k)
+            least = lesser(least, f(first(k), count(k)));
+          return least;
+        },
+        lesser);
   }
 
  private:

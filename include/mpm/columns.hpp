@@ -12,12 +12,6 @@ namespace mpm {
 /// Particles that are worked on together, a whole number of SIMD registers in any build.
 inline constexpr int chunk_size = 16;
 
-/// Whether a pass over so many particles, nodes or corners is worth more than one thread. One over fewer is done before
-/// another thread has woken up.
-constexpr bool worth_threads(std::size_t entries) {
-  return entries > 2000;
-}
-
 /// Structure of arrays: `Count` columns of equal length, each contiguous, one scalar a particle. Room for a chunk
 /// follows each, so that a whole one may be read and written anywhere.
 template <class T, int Count>

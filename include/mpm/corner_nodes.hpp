@@ -5,6 +5,7 @@
 #include <mpm/shapes/tensor_product.hpp>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -49,20 +50,24 @@ class CornerNodes : public NodalFields<S> {
 
   /// Finds the cell of every corner.
   void locate(const std::vector<std::array<double, 2>>& corner, const Grid<S>& grid) {
-    std::int64_t strays = strip_begin_.empty();
     stride_ = grid.stride(1);
-    const std::int64_t chunks = std::int64_t(chunks_.size());
-#pragma omp parallel for schedule(static) reduction(+ : strays) if (chunks_.worth_threads())
-    for (std::int64_t k = 0; k < chunks; ++k) {
-      const std::size_t first = chunks_.first(std::size_t(k));
-      for (std::size_t c = first; c < first + std::size_t(chunks_.count(std::size_t(k))); ++c) {
-        const auto a = shapes::hat_axis(grid.coordinate(Scalar(corner[c][0]), 0), grid.cells(0));
-        const auto b = shapes::hat_axis(grid.coordinate(Scalar(corner[c][1]), 1), grid.cells(1));
-        const auto strip = std::uint32_t(b.first / Grid<S>::block_edge);
-        strays += strip != anchor_[c].strip;
-        anchor_[c] = {a.first + b.first * stride_, strip, a.w[1], b.w[1]};
+    const auto look = [&](std::int64_t begin, std::int64_t end) {
+      std::int64_t strays = 0;
+      for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+        const std::size_t first = chunks_.first(k);
+        for (std::size_t c = first; c < first + std::size_t(chunks_.count(k)); ++c) {
+          const auto a = shapes::hat_axis(grid.coordinate(Scalar(corner[c][0]), 0), grid.cells(0));
+          const auto b = shapes::hat_axis(grid.coordinate(Scalar(corner[c][1]), 1), grid.cells(1));
+          const auto strip = std::uint32_t(b.first / Grid<S>::block_edge);
+          strays += strip != anchor_[c].strip;
+          anchor_[c] = {a.first + b.first * stride_, strip, a.w[1], b.w[1]};
+        }
       }
-    }
+      return strays;
+    };
+    const std::int64_t strays =
+        (strip_begin_.empty() ? 1 : 0) +
+        over_parts(std::int64_t(chunks_.size()), chunks_.worth_threads(), std::int64_t(0), look, std::plus<>());
     if (strays > 0) order_by_strip(std::size_t(grid.strip_count()));
   }
 
@@ -72,25 +77,22 @@ class CornerNodes : public NodalFields<S> {
     std::uint32_t strip = 0;
     Scalar x = 0, y = 0;
   };
-  const Anchor& anchor(std::size_t corner) const {
-    return anchor_[corner];
-  }
+  const Anchor& anchor(std::size_t corner) const { return anchor_[corner]; }
   /// Nodes of the grid from one row to the next.
-  int stride() const {
-    return stride_;
-  }
+  int stride() const { return stride_; }
 
   /// Calls f(corners) for the list of corners in every strip, so that no two threads touch one node and in a fixed
   /// order at each: strips of one colour at once.
   template <class F>
   void for_each_strip(const F& f) const {
     const int strips = int(strip_begin_.size()) - 1;
-#pragma omp parallel if (chunks_.worth_threads())
-    for (int colour = 0; colour < 2; ++colour) {
-#pragma omp for schedule(dynamic, 1)
-      for (int s = colour; s < strips; s += 2)
-        f(std::span(order_).subspan(strip_begin_[s], strip_begin_[s + 1] - strip_begin_[s]));
-    }
+    over_strips(
+        strips, 2, chunks_.worth_threads(), 0,
+        [&](int s) {
+          f(std::span(order_).subspan(strip_begin_[s], strip_begin_[s + 1] - strip_begin_[s]));
+          return 0;
+        },
+        [](int, int) { return 0; });
   }
   /// Calls f(corner, node, weight) for the four nodes around every corner, in the order of for_each_strip.
   template <class F>

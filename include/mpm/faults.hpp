@@ -51,7 +51,7 @@ template <class B, class S>
 std::size_t first_unfit(const B& b, const Grid<S>& grid, const ChunkList& chunks) {
   using V = typename B::Lane;
   const auto margin = grid.cell() / 2;
-  return chunks.least([&](std::size_t first, int count) {
+  return chunks.least(chunks.entries(), [&](std::size_t first, int count) {
     std::size_t bad = b.size();
     for (int l = 0; l < count; l += V::size) {
       const std::size_t p = first + std::size_t(l);

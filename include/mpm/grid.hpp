@@ -3,6 +3,7 @@
 #include <mpm/body.hpp>
 #include <mpm/concepts/space.hpp>
 #include <mpm/error.hpp>
+#include <mpm/threads.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -142,18 +143,15 @@ class Grid : public NodalFields<S> {
   /// Calls f(block) for every active block, in parallel.
   template <class F>
   void for_each_active_block(const F& f) const {
-    const int count = int(active_.size());
-#pragma omp parallel for schedule(static) if (worth_threads(active_.size() * nodes_per_block))
-    for (int a = 0; a < count; ++a) f(active_[a]);
+    for_each_part(std::int64_t(active_.size()), worth_threads(active_.size() * nodes_per_block),
+                  [&](std::int64_t a) { f(active_[std::size_t(a)]); });
   }
   /// Calls f(block) for every active block, one by one.
   template <class F>
   void for_each_active_block_in_order(const F& f) const {
     for (int b : active_) f(b);
   }
-  bool active(int block) const {
-    return is_active_[block] != 0;
-  }
+  bool active(int block) const { return is_active_[block] != 0; }
   /// Calls f(node) for every node of a block.
   template <class F>
   void for_each_node(int block, const F& f) const {
@@ -169,13 +167,11 @@ class Grid : public NodalFields<S> {
   template <class F>
   double sum_active(const F& f) const {
     partial_.resize(active_.size());
-    const int count = int(active_.size());
-#pragma omp parallel for schedule(static) if (worth_threads(active_.size() * nodes_per_block))
-    for (int a = 0; a < count; ++a) {
+    for_each_part(std::int64_t(active_.size()), worth_threads(active_.size() * nodes_per_block), [&](std::int64_t a) {
       double sum = 0;
-      for_each_node(active_[a], [&](int node) { sum += double(f(node)); });
-      partial_[a] = sum;
-    }
+      for_each_node(active_[std::size_t(a)], [&](int node) { sum += double(f(node)); });
+      partial_[std::size_t(a)] = sum;
+    });
     double total = 0;
     for (double p : partial_) total += p;
     return total;

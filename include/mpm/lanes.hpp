@@ -194,7 +194,7 @@ auto lane(const V& value, int k) {
 
 /// The larger of two numbers, or that which is none.
 template <class V>
-V larger_or_nan(const V& a, const V& b) {
+[[gnu::always_inline]] inline V larger_or_nan(const V& a, const V& b) {
   return select(b <= a || a != a, a, b);
 }
 /// Largest and sum of the numbers that V holds; NaN if one is.

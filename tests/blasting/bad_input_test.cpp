@@ -111,6 +111,8 @@ std::vector<Case> cases() {
        {},
        {"stress.direction = 30", "multiple of 90", "full"}},
       {"SquaresOfElasticRock", "rock { shape ugimp\n law elastic }\n", {}, {"rock.shape", "rock.law"}},
+      {"ElasticRockInFloat", "step { precision float }\nrock { law elastic }\n", {}, {"step.precision", "rock.law"}},
+      {"SquaresInFloat", "step { precision float }\nrock { shape ugimp }\n", {}, {"step.precision", "rock.shape"}},
       {"ParticleWiderThanCell", "rock { particle 2 cm }\n", {}, {"rock.particle", "grid.cell"}},
       {"ProbeInTheHole", "output { probes 1 mm }\n", {}, {"output.probes"}},
       {"TooFewProbeDirections", "output { probe_directions 90 }\n", {}, {"output.probe_directions", "2 output.probes"}},

@@ -103,6 +103,31 @@ TEST(SameBits, CalmBlock) {
   });
 }
 
+/// Particles in the way that they are looked at with shared masses: a row farther from their strips than any step lets
+/// them go, where every other strip would touch the same nodes.
+TEST(SameBits, SharedMassesOfParticlesThatHaveDrifted) {
+  Body<Ugimp, Hypoelastic> block{"block", {}, {.density = 1, .young = 1, .poisson = .25}};
+  fill(block, {2, 4}, {26, 40}, .5);
+  Grid<PlaneStrain<>> grid{{0, 0}, 1, {28, 44}};
+  ParticleOrder order;
+  locate(block, grid, order);
+  for (std::size_t s = 0; s + 1 < order.strip_begin.size(); ++s)
+    for (std::size_t p = order.strip_begin[s]; p < order.strip_begin[s + 1]; ++p)
+      block.x(1)[p] = 4. * double(s) + (s % 4 < 2 ? 5.1 : -1.9);
+  const auto stiffness = [&](int threads) {
+    use_threads(threads);
+    SharedMass<decltype(block)> shares;
+    shares.share(block, order, grid);
+    std::vector<double> most;
+    for (std::size_t p = 0; p < block.size(); ++p) most.push_back(shares.stiffness(block, p, grid).most);
+    return most;
+  };
+  const auto first = stiffness(1);
+  EXPECT_GT(*std::max_element(first.begin(), first.end()), 0);
+  for (int trial = 0; trial < 20; ++trial)
+    for (const int threads : {2, 3, 8}) EXPECT_TRUE(stiffness(threads) == first) << threads << " threads";
+}
+
 /// Domains that pass the neighbourhood of their strip go to a serial tail; without it they would break the colouring.
 TEST(SameBits, DomainsWiderThanABlock) {
   const auto make = [] {

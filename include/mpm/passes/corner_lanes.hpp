@@ -209,7 +209,7 @@ void move_corners(Shape& shape, const CornerNodes<S>& corners, typename S::Scala
 template <class Body>
 std::size_t follow_corners(Body& body, const ChunkList& particles) {
   using V = typename Body::Lane;
-  return particles.least([&](std::size_t chunk, int count) {
+  return particles.least(particles.entries(), [&](std::size_t chunk, int count) {
     std::size_t bad = body.size();
     for (int l = 0; l < count; l += V::size) {
       const std::size_t p = chunk + std::size_t(l);

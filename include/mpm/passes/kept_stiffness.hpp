@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <mpm/passes/stable_step.hpp>
+#include <mpm/passes/stable_step_lanes.hpp>
 #include <algorithm>
 #include <array>
 #include <limits>

@@ -148,24 +148,31 @@ std::int64_t find_fixed_places(const Body& body, const Grid<S>& grid, std::uint3
 /// neighbourhood, or so many their cell that stencils are hardly shared any more.
 template <class Body, class S>
 bool find_places(const Body& body, const Grid<S>& grid, ParticleOrder& order) {
-  const std::int64_t strips = std::int64_t(order.strip_begin.size()) - 1;
-  std::int64_t lost = 0, out_of_order = 0;
-#pragma omp parallel for schedule(dynamic, 1) reduction(+ : lost, out_of_order) if (order.chunks.worth_threads())
-  for (std::int64_t s = 0; s < strips; ++s) {
-    order.for_each_run(std::size_t(s), [&](std::size_t begin, std::size_t end) {
-      if constexpr (has_fixed_stencil<typename Body::Shape>) {
-        lost += find_fixed_places(body, grid, order.key.data(), begin, end, int(s));
-      } else {
-        for (std::size_t p = begin; p < end; ++p) {
-          const Place place = place_of(body, p, grid);
-          lost += !place.template fits<S>(int(s));
-          order.key[p] = place.key;
-        }
-      }
-      for (std::size_t p = begin + 1; p < end; ++p) out_of_order += order.key[p] < order.key[p - 1];
-    });
-  }
-  return lost > 0 || out_of_order > std::int64_t(body.size() / 16);
+  struct Found {
+    std::int64_t lost = 0, out_of_order = 0;
+  };
+  const auto found = over_strips(
+      int(order.strip_begin.size()) - 1, 1, order.chunks.worth_threads(), Found{},
+      [&](int s) {
+        Found here;
+        order.for_each_run(std::size_t(s), [&](std::size_t begin, std::size_t end) {
+          if constexpr (has_fixed_stencil<typename Body::Shape>) {
+            here.lost += find_fixed_places(body, grid, order.key.data(), begin, end, s);
+          } else {
+            for (std::size_t p = begin; p < end; ++p) {
+              const Place place = place_of(body, p, grid);
+              here.lost += !place.template fits<S>(s);
+              order.key[p] = place.key;
+            }
+          }
+          for (std::size_t p = begin + 1; p < end; ++p) here.out_of_order += order.key[p] < order.key[p - 1];
+        });
+        return here;
+      },
+      [](const Found& a, const Found& b) {
+        return Found{a.lost + b.lost, a.out_of_order + b.out_of_order};
+      });
+  return found.lost > 0 || found.out_of_order > std::int64_t(body.size() / 16);
 }
 
 /// Stable counting sort of the particles by key.
@@ -174,13 +181,11 @@ void sort_particles(Body& body, const Grid<S>& grid, ParticleOrder& order) {
   const std::size_t n = body.size();
   const std::uint32_t wide = std::uint32_t(grid.block_count()) * grid.nodes_per_block;
   order.key.resize(n);
-  const std::int64_t count = std::int64_t(n);
-#pragma omp parallel for schedule(static) if (worth_threads(n))
-  for (std::int64_t p = 0; p < count; ++p) {
+  for_each_part(std::int64_t(n), worth_threads(n), [&](std::int64_t p) {
     const Place place = place_of(body, std::size_t(p), grid);
     const int strip = int(place.key / grid.nodes_per_block) / grid.blocks_per_strip();
     order.key[std::size_t(p)] = place.template fits<S>(strip) ? place.key : wide;
-  }
+  });
   order.next.assign(std::size_t(wide) + 2, 0);
   for (std::uint32_t k : order.key) ++order.next[k + 1];
   std::partial_sum(order.next.begin(), order.next.end(), order.next.begin());
@@ -263,16 +268,25 @@ Relocated locate(Body& body, Grid<S>& grid, ParticleOrder& order, bool settled =
 /// more than where they stand.
 template <int Colours = 2, class F>
 std::size_t for_each_strip(const ParticleOrder& order, const F& f, double& most) {
-  const int strips = int(order.strip_begin.size()) - 1;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-#pragma omp parallel reduction(min : least) reduction(max : most) if (order.chunks.worth_threads())
-  for (int colour = 0; colour < Colours; ++colour) {
-#pragma omp for schedule(dynamic, 1)
-    for (int s = colour; s < strips; s += Colours)
-      order.for_each_run(std::size_t(s),
-                         [&](std::size_t begin, std::size_t end) { least = std::min(least, f(begin, end, most)); });
-  }
-  return least;
+  struct Found {
+    std::size_t least;
+    double most;
+  };
+  const Found found = over_strips(
+      int(order.strip_begin.size()) - 1, Colours, order.chunks.worth_threads(),
+      Found{std::numeric_limits<std::size_t>::max(), most},
+      [&](int s) {
+        Found here{std::numeric_limits<std::size_t>::max(), most};
+        order.for_each_run(std::size_t(s), [&](std::size_t begin, std::size_t end) {
+          here.least = std::min(here.least, f(begin, end, here.most));
+        });
+        return here;
+      },
+      [](const Found& a, const Found& b) {
+        return Found{std::min(a.least, b.least), std::max(a.most, b.most)};
+      });
+  most = found.most;
+  return found.least;
 }
 template <int Colours = 2, class F>
 std::size_t for_each_strip(const ParticleOrder& order, const F& f) {

@@ -3,7 +3,7 @@
 #include <mpm/body_force.hpp>
 #include <mpm/passes/domain_weights.hpp>
 #include <mpm/passes/scatter.hpp>
-#include <mpm/passes/stable_step.hpp>
+#include <mpm/passes/stable_step_lanes.hpp>
 
 // The passes of scatter.hpp for shape functions in modes.
 namespace mpm::lanes {
@@ -128,24 +128,11 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
     for (std::size_t first = begin, next_chunk; first < end; first = next_chunk) {
       next_chunk = std::min(end, first / chunk_size * chunk_size + chunk_size);
       const int size = int(next_chunk - first);
-      bool fit;
-      const bool looks = measures && looks_at(first / chunk_size);
-      if (!looks) fit = w.compute(body, first, size, grid);
+      const bool fit = w.compute(body, first, size, grid);
       if constexpr (measures) {
-        if (looks) {
-          GridStiffness<V> stiffness;
-          fit = w.compute(
-              body, first, size, grid, [&](int l, const auto& modes, bool serve) __attribute__((always_inline)) {
-                detail::raise_stiffness(
-                    stiffness, body, first + std::size_t(l), size - l,
-                    grid, [&](auto& b) __attribute__((always_inline)) {
-                      return serve && detail::register_stiffness<Body>(modes, grid, b);
-                    });
-              });
-          const auto& limit = limits[first / chunk_size];
-          needed = larger_or_nan(needed, limit.known ? detail::inverse_square_step<V>(limit, stiffness, grid.cell())
-                                                     : V(std::numeric_limits<Scalar>::infinity()));
-        }
+        const std::size_t c = first / chunk_size;
+        if (looks_at(c))
+          needed = larger_or_nan(needed, detail::inverse_square_step(limits[c], body, first, size, grid, w, fit));
       }
       if (!fit) {
         for (std::size_t p = first; p < first + std::size_t(size); ++p)

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <mpm/passes/domain_weights.hpp>
-#include <mpm/passes/quad_weights.hpp>
 #include <mpm/passes/update_stress.hpp>
 #include <algorithm>
 #include <cmath>
@@ -98,192 +96,16 @@ typename S::Scalar stable_step(const Body& body, std::size_t p, const Grid<S>& g
     dt = std::min(dt, grid.cell() / 2 / std::max(std::abs(body.v(d)[p]), std::numeric_limits<Scalar>::min()));
   return std::isfinite(dt) ? dt : Scalar(0);
 }
-/// The least of the steps that f(first, count) allows the chunks.
-template <class Scalar, class F>
-Scalar least_step(const ChunkList& chunks, const F& f) {
-  Scalar limit = std::numeric_limits<Scalar>::max();
-  const std::int64_t count = std::int64_t(chunks.size());
-#pragma omp parallel for schedule(static) reduction(min : limit) if (chunks.worth_threads())
-  for (std::int64_t k = 0; k < count; ++k)
-    limit = std::min(limit, f(chunks.first(std::size_t(k)), chunks.count(std::size_t(k))));
-  return limit;
-}
 /// The step that is safe for every particle of the chunks, particle by particle: the plain form.
 template <class Body, class S>
 typename S::Scalar stable_step(const Body& body, const ChunkList& chunks, const Grid<S>& grid) {
   using Scalar = typename S::Scalar;
-  return least_step<Scalar>(chunks, [&](std::size_t first, int count) {
+  return chunks.least(std::numeric_limits<Scalar>::max(), [&](std::size_t first, int count) {
     Scalar limit = std::numeric_limits<Scalar>::max();
     for (std::size_t p = first; p < first + std::size_t(count); ++p)
       limit = std::min(limit, stable_step(body, p, grid));
     return limit;
   });
-}
-
-namespace detail {
-
-/// The stiffness of a grid whose G_p has these eigenvalues, from shares that are the particles' own: with them the hoop
-/// stands alone.
-template <class S, class V>
-[[gnu::always_inline]] inline GridStiffness<V> stiffness_of(const std::array<V, S::dimension>& b, const V& radius) {
-  GridStiffness<V> stiffness;
-  for (const V& k : b) stiffness.volume += k, stiffness.most = max(stiffness.most, k);
-  if constexpr (S::hoop) {
-    const V hoop = V(1) / (radius * radius);
-    stiffness.volume += hoop, stiffness.most = max(stiffness.most, hoop);
-  }
-  return stiffness;
-}
-
-/// sum w'^2/w along each axis, 1/cell^2, from its modes.
-template <class V, int K, std::size_t D>
-[[gnu::always_inline]] inline void axis_stiffness(const std::array<AxisModes<V, K>, D>& modes, std::array<V, D>& b) {
-  const V steepest(steepest_slope<typename V::Scalar>);
-  shapes::unrolled<int(D)>([&](auto d) __attribute__((always_inline)) {
-    const AxisModes<V, K>& m = modes[d];
-    V over(0), under(1);  // a fraction: a division takes longer than the rest
-    const auto add = [&](const V& w, const V& dw) __attribute__((always_inline)) {
-      const auto fades = abs(dw) < steepest * w;
-      const V sound = select(fades, w, V(1));
-      over = over * sound + select(fades, dw * dw, V(0)) * under;
-      under *= sound;
-    };
-    V weight(0), slope(0);
-    shapes::unrolled<AxisModes<V, K>::stored>([&](auto k) __attribute__((always_inline)) {
-      add(m.weight[k], m.slope[k]);
-      weight += m.weight[k], slope += m.slope[k];
-    });
-    if constexpr (K > 2) add(V(1) - weight, slope);  // the anchor's
-    b[d] = over / under;
-  });
-}
-
-/// Eigenvalues of G_p, 1/cell^2, of a domain in modes; see GridStiffness.
-template <class V>
-[[gnu::always_inline]] inline std::array<V, 2> domain_stiffness(DomainModes<V> m) {
-  shapes::all_to_nodes<2, 3>(m.weight);
-  for (V* slope : m.slope) shapes::all_to_nodes<2, 3>(slope);
-  const V least(std::numeric_limits<typename V::Scalar>::min()), steepest(steepest_slope<typename V::Scalar>);
-  V xx(0), yy(0), xy(0);
-  for (int k = 0; k < m.modes; ++k) {
-    const V w = abs(m.weight[k]), inverse = V(1) / max(w, least);
-    const V gx = select(abs(m.slope[0][k]) < steepest * w, m.slope[0][k], V(0));
-    const V gy = select(abs(m.slope[1][k]) < steepest * w, m.slope[1][k], V(0));
-    xx += gx * gx * inverse, yy += gy * gy * inverse, xy += gx * gy * inverse;
-  }
-  const V mean = V(0.5) * (xx + yy), half = V(0.5) * (xx - yy), radius = sqrt(half * half + xy * xy);
-  return {mean + radius, mean - radius};
-}
-
-/// Eigenvalues of G_p, 1/cell^2, of a register of particles from their modes. Returns false where these do not serve.
-template <class Body, class S, class V, int K>
-[[gnu::always_inline]] inline bool register_stiffness(const std::array<AxisModes<V, K>, S::dimension>& modes,
-                                                      const Grid<S>& grid, std::array<V, S::dimension>& b) {
-  if constexpr (continues_linearly<typename Body::Shape>)
-    for (int d = 0; d < S::dimension; ++d) {
-      const auto low = modes[std::size_t(d)].anchor - shapes::nodes_before<K>;
-      if (any_of((low < 0) | (low > grid.cells(d) + 1 - K))) return false;
-    }
-  axis_stiffness(modes, b);
-  return true;
-}
-template <class Body, class S, class V>
-[[gnu::always_inline]] inline bool register_stiffness(const Body& body, std::size_t p, const Grid<S>& grid,
-                                                      std::array<V, S::dimension>& b) {
-  using Shape = typename Body::Shape;
-  if constexpr (HasModes<Body>) {
-    std::array<AxisModes<V, Shape::axis_nodes>, S::dimension> modes;
-    return body.shape.modes(body, p, grid, coordinates(body, p, grid), modes) &&
-           register_stiffness<Body>(modes, grid, b);
-  } else if constexpr (HasDomainModes<Body>) {
-    DomainModes<V> modes;
-    const bool fit = body.shape.domain_modes(body, p, grid, modes);
-    b = domain_stiffness(modes);
-    return fit;
-  } else {
-    return false;
-  }
-}
-/// Raises `stiffness` to that of a register of particles, of which `valid` are meant: from `find(b)`, as above, or from
-/// their stencils where it returns false.
-template <class Body, class S, class V, class F>
-[[gnu::always_inline]] inline void raise_stiffness(GridStiffness<V>& stiffness, const Body& body, std::size_t p,
-                                                   int valid, const Grid<S>& grid, const F& find) {
-  std::array<V, S::dimension> b;
-  if (find(b)) [[likely]] {
-    V radius = V::load(body.x(0) + p);
-    for (V& k : b) k *= V(grid.inverse_cell() * grid.inverse_cell());
-    if (valid < V::size) {
-      const auto meant = first_lanes<V>(valid);
-      for (V& k : b) k = select(meant, k, V(0));
-      radius = select(meant, radius, V(radius[0]));
-    }
-    stiffness.raise(stiffness_of<S>(b, radius));
-  } else {
-    for (std::size_t q = p; q < p + std::size_t(std::min(V::size, valid)); ++q)
-      stiffness.raise(grid_stiffness<S>(make_stencil(body, q, grid), body.x(0)[q], grid.cell(), OwnShare{}));
-  }
-}
-/// Stiffness of the grid to a chunk of particles.
-template <class Body, class S, class V = typename Body::Lane>
-GridStiffness<V> chunk_stiffness(const Body& body, std::size_t first, int count, const Grid<S>& grid) {
-  GridStiffness<V> stiffness;
-  for (int l = 0; l < count; l += V::size) {
-    const std::size_t p = first + std::size_t(l);
-    raise_stiffness(stiffness, body, p, count - l, grid, [&](auto& b) { return register_stiffness(body, p, grid, b); });
-  }
-  return stiffness;
-}
-template <class T, int N>
-GridStiffness<T> over_lanes(const GridStiffness<Lanes<T, N>>& b) {
-  return {largest(b.most), largest(b.volume), total(b.unsound)};
-}
-
-/// 1/dt^2 of the largest stable step of a chunk of particles, by lane, from its limits and the stiffness of the grid to
-/// it: Irons' bound, abs(grad v) dt < 0.1 and abs(v) dt < h / 2. NaN if there is none.
-template <class V, class B, class Scalar = typename V::Scalar>
-V inverse_square_step(const StepLimits<Scalar>& l, const GridStiffness<B>& b, Scalar cell) {
-  const Scalar pace = 2 * l.speed / cell;
-  return larger_or_nan(V(mpm::inverse_square_step(B(l.lambda), B(l.shear), b) + b.unsound),
-                       V(larger_or_nan(100 * l.rate, pace * pace)));
-}
-
-/// The largest of such, of which infinity stands for NaN.
-template <class V>
-auto largest_or_infinite(const V& a) {
-  const auto q = largest(a);
-  return q < std::numeric_limits<decltype(q)>::infinity() ? q : std::numeric_limits<decltype(q)>::infinity();
-}
-
-}  // namespace detail
-
-/// The same from the limits that the last step left for every chunk, and the stiffness of the grid to each,
-/// `stiffness(first, count)`; chunks of which they are not known are looked at plainly. Moduli, rates and speeds are
-/// those at the end of the last step, the largest of a chunk.
-template <class Body, class S, class Stiffness, class Scalar = typename S::Scalar>
-Scalar stable_step(const Body& body, const ChunkList& chunks, const Grid<S>& grid,
-                   const std::vector<StepLimits<Scalar>>& limits, const Stiffness& stiffness) {
-  using V = typename Body::Lane;
-  Scalar inverse_square = std::numeric_limits<Scalar>::min(), plain = std::numeric_limits<Scalar>::max();
-  const std::int64_t count = std::int64_t(chunks.size());
-#pragma omp parallel reduction(max : inverse_square) reduction(min : plain) if (chunks.worth_threads())
-  {
-    V own(0);
-#pragma omp for schedule(static) nowait
-    for (std::int64_t k = 0; k < count; ++k) {
-      const std::size_t first = chunks.first(std::size_t(k));
-      const int size = chunks.count(std::size_t(k));
-      const StepLimits<Scalar>& l = limits[first / chunk_size];
-      if (l.known) {
-        own = larger_or_nan(own, detail::inverse_square_step<V>(l, stiffness(first, size), grid.cell()));
-      } else {
-        for (std::size_t p = first; p < first + std::size_t(size); ++p)
-          plain = std::min(plain, stable_step(body, p, grid));
-      }
-    }
-    inverse_square = std::max(inverse_square, detail::largest_or_infinite(own));
-  }
-  return std::min(plain, 1 / std::sqrt(inverse_square));
 }
 
 }  // namespace mpm

@@ -132,12 +132,17 @@ struct StrainWork {
 template <class Body, class F>
 std::size_t sum_work(Body& body, const ChunkList& chunks, std::vector<StrainWork>& partial, const F& f) {
   partial.resize(chunks.size());
-  std::int64_t bad = std::int64_t(body.size());
-#pragma omp parallel for schedule(static) reduction(min : bad) if (chunks.worth_threads())
-  for (std::int64_t c = 0; c < std::int64_t(partial.size()); ++c) {
-    const std::size_t k = std::size_t(c);
-    partial[k] = f(chunks.first(k), chunks.count(k), bad);
-  }
+  const std::int64_t none = std::int64_t(body.size());
+  const auto lesser = [](std::int64_t a, std::int64_t b) { return std::min(a, b); };
+  const std::int64_t bad = over_parts(
+      std::int64_t(chunks.size()), chunks.worth_threads(), none,
+      [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t bad_here = none;
+        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k)
+          partial[k] = f(chunks.first(k), chunks.count(k), bad_here);
+        return bad_here;
+      },
+      lesser);
   StrainWork work;
   for (const auto& w : partial) work += w;
   body.stress_work += work.total;

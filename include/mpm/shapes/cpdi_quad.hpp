@@ -122,7 +122,7 @@ struct CpdiQuad {
     corners.for_each_entry([&](std::size_t c) {
       for (std::size_t d = 0; d < 2; ++d) corner[c][d] += double(dt * velocity[c][Eigen::Index(d)]);
     });
-    return particles.least([&](std::size_t first, int n) {
+    return particles.least(particles.entries(), [&](std::size_t first, int n) {
       std::size_t bad = body.size();
       for (std::size_t p = first; p < first + std::size_t(n); ++p) {
         const double area = weights(p).area;
