@@ -5,7 +5,7 @@ namespace kernels {
 
 void add_ugimp() {
   add<Ugimp, Hypoelastic, Usl>("uGIMP");
-  for (const int n : {10000, 1000000, 4000000})
+  for (const int n : {100, 10000, 1000000, 4000000})
     add<Ugimp, Hypoelastic, Usl>("uGIMP, " + std::to_string(n) + " particles",
                                  {.particles = n, .layouts = {Layout::regular}});
   for (const int edge : {4, 20})
