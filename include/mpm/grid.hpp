@@ -25,14 +25,15 @@ struct NodalFields {
 /// The background grid: a box of cubic cells whose faces carry the boundary conditions.
 ///
 /// Nodes are numbered x fastest. A stencil that would pass a face is folded onto it, so no node lies outside. Nodes are
-/// worked on in blocks of 4 a side, and only blocks near particles are: an empty domain costs nothing.
+/// worked on in blocks of 4 a side, of 64 on a line, and only blocks near particles are: an empty domain costs nothing.
 template <Space S>
 class Grid : public NodalFields<S> {
  public:
   using Scalar = typename S::Scalar;
   static constexpr int dimension = S::dimension;
-  static constexpr int block_edge = 4;  ///< nodes or cells along the edge of a block
-  static constexpr std::uint32_t nodes_per_block = 1u << (2 * dimension);
+  /// Nodes or cells along the edge of a block; on a line so many that its particles fill whole chunks.
+  static constexpr int block_edge = dimension == 1 ? 64 : 4;
+  static constexpr std::uint32_t nodes_per_block = dimension == 2 ? 16 : 64;
 
   using NodalFields<S>::mass;
   using NodalFields<S>::velocity;

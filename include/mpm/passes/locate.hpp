@@ -5,6 +5,7 @@
 #include <mpm/shapes/modes.hpp>
 #include <mpm/stencil.hpp>
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -120,7 +121,8 @@ std::int64_t find_fixed_places(const Body& body, const Grid<S>& grid, std::uint3
   using V = typename Body::Lane;
   using Integers = typename V::Integers;
   constexpr int K = Body::Shape::axis_nodes, edge = Grid<S>::block_edge, last = S::dimension - 1;
-  static_assert(edge == 4);
+  constexpr int bits = std::countr_zero(unsigned(edge));
+  static_assert(edge == 1 << bits);
   const int lowest = strip * edge - 2 + shapes::nodes_before<K>;
   const int highest = (strip + 1) * edge + 1 - (K - 1 - shapes::nodes_before<K>);
   std::int64_t lost = 0;
@@ -132,8 +134,8 @@ std::int64_t find_fixed_places(const Body& body, const Grid<S>& grid, std::uint3
           max(V(0), min((V::load(body.x(d) + p) - V(grid.origin()[d])) * V(grid.inverse_cell()), V(grid.cells(d))));
       Integers anchor = K == 3 ? truncated(xi + V(0.5)) : shapes::cell_of(xi, grid.cells(d));
       if (d == last) row = anchor;
-      block += (anchor >> 2) * grid.block_stride(d);
-      inner = inner * edge + (anchor & 3);
+      block += (anchor >> bits) * grid.block_stride(d);
+      inner = inner * edge + (anchor & (edge - 1));
     }
     const Integers found = block * int(grid.nodes_per_block) + inner;
     for (int k = 0; k < valid; ++k) {
@@ -264,13 +266,13 @@ Relocated locate(Body& body, Grid<S>& grid, ParticleOrder& order, bool settled =
 
 /// Calls f(begin, end) for the particles of every strip that are worked on, such that no two threads touch one node:
 /// even strips at once, then odd ones. The order is fixed, so sums have the same bits at any thread count. Returns the
-/// least of what f returns. f(begin, end, most) may also raise `most`. With three colours particles may touch a row
-/// more than where they stand.
-template <int Colours = 2, class F>
-std::size_t for_each_strip(const ParticleOrder& order, const F& f, double& most) {
+/// least of what f returns. f(begin, end, most) may also raise `most`, a number or lanes. With three colours particles
+/// may touch a row more than where they stand.
+template <int Colours = 2, class F, class V>
+std::size_t for_each_strip(const ParticleOrder& order, const F& f, V& most) {
   struct Found {
     std::size_t least;
-    double most;
+    V most;
   };
   const Found found = over_strips(
       int(order.strip_begin.size()) - 1, Colours, order.chunks.worth_threads(),
@@ -283,7 +285,7 @@ std::size_t for_each_strip(const ParticleOrder& order, const F& f, double& most)
         return here;
       },
       [](const Found& a, const Found& b) {
-        return Found{std::min(a.least, b.least), std::max(a.most, b.most)};
+        return Found{std::min(a.least, b.least), larger_or_nan(a.most, b.most)};
       });
   most = found.most;
   return found.least;

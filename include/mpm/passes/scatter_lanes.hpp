@@ -104,13 +104,13 @@ struct Given {
 }  // namespace detail
 
 /// m_I += w m and (m v)_I += w m v, f_I += -V sigma grad w + w m b, or both at once. Returns the first particle whose
-/// forces come from a stress that is no finite number, or body.size() or more. Where it `measures`, `inverse_square` is
-/// raised to 1/dt^2 of the largest stable step of the chunks that looks_at(chunk), by `limits`, to infinity if these
-/// are not known.
+/// forces come from a stress that is no finite number, or body.size() or more. Where it `measures`, `inverse_square`
+/// becomes 1/dt^2 of the largest stable step of the chunks that looks_at(chunk), by `limits`; infinity if these are not
+/// known.
 template <What what, bool measures, class Body, class Force, class F, class S = typename Body::SpaceType>
 std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid, std::vector<Vector<S>>& momentum,
                     const Force& body_force, double time, const std::vector<StepLimits<typename S::Scalar>>& limits,
-                    const F& looks_at, double& inverse_square) {
+                    const F& looks_at, typename S::Scalar& inverse_square) {
   using Scalar = typename S::Scalar;
   using V = typename Body::Lane;
   using Record = detail::ScatterRecord<S>;
@@ -119,71 +119,78 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
   constexpr bool force = gives_forces<what>, mass = gives_mass<what>, velocity = gives_momentum<what>;
   constexpr bool continued = detail::continues_linearly<typename Body::Shape>;
 
-  const auto give = [&](std::size_t begin, std::size_t end, double& most) {
-    using Weights = typename detail::WeightsOf<Body>::Type;
+  using Weights = typename detail::WeightsOf<Body>::Type;
+  const auto give_chunk = [&](std::size_t first, int size, const Weights& w, detail::Given<S, Weights>& given)
+      __attribute__((always_inline)) {
+    std::size_t bad = std::numeric_limits<std::size_t>::max();
+    if constexpr (force)
+      for (int l = 0; l < size; l += V::size)
+        bad = std::min(bad, first_unsound<V>(body, first + std::size_t(l), std::min(size - l, V::size)));
+    given.template compute<what>(body, first, size, grid, w, body_force, time);
+    for (int p = 0, next; p < size; p = next) {
+      next = w.run_end(p, size);
+      const detail::StencilNodes<S, K> nodes(grid, w.anchor, p);
+      shapes::unrolled<Record::words>([&](auto word) __attribute__((always_inline)) {
+        constexpr bool slopes = force && word == Record::force_word;
+        Word sum[count]{};
+        for (int q = p; q < next; ++q) {
+          Word mode[count];
+          if constexpr (slopes) {
+            Word slope[D];
+            for (int d = 0; d < D; ++d) slope[d] = given.slope[d][q];
+            detail::modes_of<D, K>(given.value[word][q], slope, w, q, mode);
+          } else {
+            detail::modes_of<D, K>(given.value[word][q], w, q, mode);
+          }
+          shapes::unrolled<count>([&](auto I) __attribute__((always_inline)) { sum[I] += mode[I]; });
+        }
+        shapes::all_to_nodes<D, K>(sum);
+        if constexpr (continued) nodes.fold_sums(sum);
+        nodes.for_each([&](auto I, std::size_t n) __attribute__((always_inline)) {
+          if constexpr (velocity && word == 0) detail::add<0>(sum[I], momentum[n]);
+          if constexpr (slopes) detail::add<Record::force>(sum[I], grid.increment[n]);
+          if constexpr (mass && word == 0 && !Record::own_mass) grid.mass[n] += sum[I][Record::mass];
+        });
+      });
+      if constexpr (mass && Record::own_mass) {
+        Word sum[K]{};  // a word a row
+        for (int q = p; q < next; ++q) w.add_mass(given.mass, q, sum);
+        Scalar at[count];
+        for (int j = 0; j < K; ++j)
+          for (int i = 0; i < K; ++i) at[j * K + i] = sum[j][i];
+        shapes::all_to_nodes<D, K>(at);
+        if constexpr (continued) nodes.fold_sums(at);
+        nodes.for_each([&](auto I, std::size_t n) __attribute__((always_inline)) { grid.mass[n] += at[I]; });
+      }
+    }
+    return bad;
+  };
+  const auto give = [&](std::size_t begin, std::size_t end, V& needed) {
     Weights w;
     detail::Given<S, Weights> given;
     std::size_t bad = std::numeric_limits<std::size_t>::max();
-    V needed(0);
     for (std::size_t first = begin, next_chunk; first < end; first = next_chunk) {
       next_chunk = std::min(end, first / chunk_size * chunk_size + chunk_size);
       const int size = int(next_chunk - first);
       const bool fit = w.compute(body, first, size, grid);
-      if constexpr (measures) {
+      if (fit) {
+        bad = std::min(bad, give_chunk(first, size, w, given));
+      } else {
+        for (std::size_t p = first; p < next_chunk; ++p)
+          bad = std::min(bad, scatter_plainly<what>(body, p, grid, momentum, body_force, time));
+      }
+      if constexpr (measures) {  // last: the next chunk's weights are found while this waits for its division
         const std::size_t c = first / chunk_size;
         if (looks_at(c))
           needed = larger_or_nan(needed, detail::inverse_square_step(limits[c], body, first, size, grid, w, fit));
       }
-      if (!fit) {
-        for (std::size_t p = first; p < first + std::size_t(size); ++p)
-          bad = std::min(bad, scatter_plainly<what>(body, p, grid, momentum, body_force, time));
-        continue;
-      }
-      if constexpr (force)
-        for (int l = 0; l < size; l += V::size)
-          bad = std::min(bad, first_unsound<V>(body, first + std::size_t(l), std::min(size - l, V::size)));
-      given.template compute<what>(body, first, size, grid, w, body_force, time);
-      for (int p = 0, next; p < size; p = next) {
-        next = w.run_end(p, size);
-        const detail::StencilNodes<S, K> nodes(grid, w.anchor, p);
-        shapes::unrolled<Record::words>([&](auto word) __attribute__((always_inline)) {
-          constexpr bool slopes = force && word == Record::force_word;
-          Word sum[count]{};
-          for (int q = p; q < next; ++q) {
-            Word mode[count];
-            if constexpr (slopes) {
-              Word slope[D];
-              for (int d = 0; d < D; ++d) slope[d] = given.slope[d][q];
-              detail::modes_of<D, K>(given.value[word][q], slope, w, q, mode);
-            } else {
-              detail::modes_of<D, K>(given.value[word][q], w, q, mode);
-            }
-            shapes::unrolled<count>([&](auto I) __attribute__((always_inline)) { sum[I] += mode[I]; });
-          }
-          shapes::all_to_nodes<D, K>(sum);
-          if constexpr (continued) nodes.fold_sums(sum);
-          nodes.for_each([&](auto I, std::size_t n) __attribute__((always_inline)) {
-            if constexpr (velocity && word == 0) detail::add<0>(sum[I], momentum[n]);
-            if constexpr (slopes) detail::add<Record::force>(sum[I], grid.increment[n]);
-            if constexpr (mass && word == 0 && !Record::own_mass) grid.mass[n] += sum[I][Record::mass];
-          });
-        });
-        if constexpr (mass && Record::own_mass) {
-          Word sum[K]{};  // a word a row
-          for (int q = p; q < next; ++q) w.add_mass(given.mass, q, sum);
-          Scalar at[count];
-          for (int j = 0; j < K; ++j)
-            for (int i = 0; i < K; ++i) at[j * K + i] = sum[j][i];
-          shapes::all_to_nodes<D, K>(at);
-          if constexpr (continued) nodes.fold_sums(at);
-          nodes.for_each([&](auto I, std::size_t n) __attribute__((always_inline)) { grid.mass[n] += at[I]; });
-        }
-      }
     }
-    if constexpr (measures) most = std::max(most, double(detail::largest_or_infinite(needed)));
     return bad;
   };
-  return for_each_strip(order, give, inverse_square);
+  V needed(0);
+  const std::size_t bad = for_each_strip(order, give, needed);
+  if constexpr (measures) inverse_square = detail::largest_or_infinite(needed);
+  return bad;
 }
 
 /// The twin of mpm::scatter_interpolated: out_I += sum_p w_Ip m_p sum_J w_Jp in_J.

@@ -17,8 +17,8 @@ namespace detail {
 /// stands alone.
 template <class S, class V>
 [[gnu::always_inline]] inline GridStiffness<V> stiffness_of(const std::array<V, S::dimension>& b, const V& radius) {
-  GridStiffness<V> stiffness;
-  for (const V& k : b) stiffness.volume += k, stiffness.most = max(stiffness.most, k);
+  GridStiffness<V> stiffness{.most = b[0], .volume = b[0]};
+  for (std::size_t d = 1; d < b.size(); ++d) stiffness.volume += b[d], stiffness.most = max(stiffness.most, b[d]);
   if constexpr (S::hoop) {
     const V hoop = V(1) / (radius * radius);
     stiffness.volume += hoop, stiffness.most = max(stiffness.most, hoop);
@@ -30,7 +30,8 @@ template <class S, class V>
 /// division for all: it takes longer than the rest.
 template <class V, int K, std::size_t D>
 [[gnu::always_inline]] inline void axis_stiffness(const std::array<AxisModes<V, K>, D>& modes, std::array<V, D>& b) {
-  constexpr auto flattest = 1 / steepest_slope<typename V::Scalar>;
+  using Scalar = typename V::Scalar;
+  constexpr Scalar flattest = 1 / steepest_slope<Scalar>;
   std::array<V, D> under;
   shapes::unrolled<int(D)>([&](auto d) __attribute__((always_inline)) {
     const AxisModes<V, K>& m = modes[d];
@@ -39,15 +40,16 @@ template <class V, int K, std::size_t D>
       const V low = select(m.weight[0] > V(flattest), m.weight[0], left_out);
       const V high = select(m.weight[1] > V(flattest), m.weight[1], left_out);
       b[d] = low + high, under[d] = low * high;
-    } else {  // a weight that fades with its slope loses its part, which is next to nothing, below the square of that
-      const V scale(1 << 30);  // of both: products of three axes' weights would be below what a float can be
+    } else {  // a weight that fades with its slope loses its part, which is next to nothing, below `least`
+      const V least(flattest * flattest);
+      const V scale(sizeof(Scalar) == 4 ? 1 << 30 : 1);  // of both, or three axes' product is below what a float can be
       V weight = m.weight[0], slope = m.slope[0];
-      b[d] = slope * slope * scale, under[d] = max(weight, V(flattest * flattest)) * scale;
+      b[d] = slope * slope * scale, under[d] = (weight + least) * scale;
       const auto add = [&](const V& w, const V& dw) __attribute__((always_inline)) {
         b[d] = b[d] * w + dw * dw * under[d], under[d] *= w;
       };
       for (std::size_t k = 1; k < AxisModes<V, K>::stored; ++k) {
-        add(max(m.weight[k], V(flattest * flattest)), m.slope[k]);
+        add(m.weight[k] + least, m.slope[k]);
         weight += m.weight[k], slope += m.slope[k];
       }
       add(V(1) - weight, slope);  // the anchor's
@@ -81,27 +83,33 @@ template <class V>
   return {mean + radius, mean - radius};
 }
 
-/// Eigenvalues of G_p, 1/cell^2, of a register of particles from their modes. Returns false where these do not serve.
+/// Marks those of the first `valid` particles whose stencils pass a face, where splines have other weights than these
+/// modes.
 template <class Body, class S, class V, int K>
-[[gnu::always_inline]] inline bool register_stiffness(const std::array<AxisModes<V, K>, S::dimension>& modes,
-                                                      const Grid<S>& grid, std::array<V, S::dimension>& b) {
-  axis_stiffness(modes, b);
-  bool within = true;
-  if constexpr (continues_linearly<typename Body::Shape>)
+[[gnu::always_inline]] inline void mark_beyond(const std::array<AxisModes<V, K>, S::dimension>& modes, int valid,
+                                               const Grid<S>& grid, typename V::Integers& beyond) {
+  if constexpr (continues_linearly<typename Body::Shape>) {
+    typename V::Integers lane;
+    for (int k = 0; k < V::size; ++k) lane[k] = k;
     for (int d = 0; d < S::dimension; ++d) {
       const auto low = modes[std::size_t(d)].anchor - shapes::nodes_before<K>;
-      within = within && !any_of((low < 0) | (low > grid.cells(d) + 1 - K));
+      beyond |= (lane < valid) & ((low < 0) | (low > grid.cells(d) + 1 - K));
     }
-  return within;
+  }
 }
+/// Eigenvalues of G_p, 1/cell^2, of a register of particles, of which `valid` are meant, from their modes. Returns
+/// false where these do not serve.
 template <class Body, class S, class V>
-[[gnu::always_inline]] inline bool register_stiffness(const Body& body, std::size_t p, const Grid<S>& grid,
+[[gnu::always_inline]] inline bool register_stiffness(const Body& body, std::size_t p, int valid, const Grid<S>& grid,
                                                       std::array<V, S::dimension>& b) {
   using Shape = typename Body::Shape;
   if constexpr (HasModes<Body>) {
     std::array<AxisModes<V, Shape::axis_nodes>, S::dimension> modes;
-    return body.shape.modes(body, p, grid, coordinates(body, p, grid), modes) &&
-           register_stiffness<Body>(modes, grid, b);
+    const bool fit = body.shape.modes(body, p, grid, coordinates(body, p, grid), modes);
+    axis_stiffness(modes, b);
+    typename V::Integers beyond{};
+    mark_beyond<Body>(modes, valid, grid, beyond);
+    return fit && !any_of(beyond);
   } else if constexpr (HasDomainModes<Body>) {
     DomainModes<V> modes;
     const bool fit = body.shape.domain_modes(body, p, grid, modes);
@@ -110,17 +118,6 @@ template <class Body, class S, class V>
   } else {
     return false;
   }
-}
-/// Raises `stiffness` to that of a register of particles, of which `valid` are meant, from those eigenvalues.
-template <class Body, class S, class V>
-[[gnu::always_inline]] inline void raise_stiffness(GridStiffness<V>& stiffness, std::array<V, S::dimension> b,
-                                                   const Body& body, std::size_t p, int valid, const Grid<S>& grid) {
-  const auto meant = first_lanes<V>(valid);
-  for (V& k : b) k = select(meant, k * V(grid.inverse_cell() * grid.inverse_cell()), V(0));
-  V radius(1);
-  if constexpr (S::hoop)
-    radius = select(meant, V::load(body.x(0) + p), V(std::numeric_limits<typename V::Scalar>::max()));
-  stiffness.raise(stiffness_of<S>(b, radius));
 }
 /// Stiffness of the grid to a chunk of particles from their stencils.
 template <class Body, class S, class V = typename Body::Lane>
@@ -131,26 +128,25 @@ template <class Body, class S, class V = typename Body::Lane>
     stiffness.raise(grid_stiffness<S>(make_stencil(body, p, grid), body.x(0)[p], grid.cell(), OwnShare{}));
   return stiffness;
 }
-/// The same from what find(l, b) finds for registers of them, l from the first, unless it returns false for one.
-template <class Body, class S, class F, class V = typename Body::Lane>
-[[gnu::always_inline]] inline GridStiffness<V> chunk_stiffness(const Body& body, std::size_t first, int count,
-                                                               const Grid<S>& grid, const F& find) {
+/// The same from weights that are computed for it, where these serve.
+template <class Body, class S, class V = typename Body::Lane>
+GridStiffness<V> chunk_stiffness(const Body& body, std::size_t first, int count, const Grid<S>& grid) {
+  using Scalar = typename V::Scalar;
   GridStiffness<V> stiffness;
   bool found = true;
   shapes::unrolled<chunk_size / V::size>([&](auto k) __attribute__((always_inline)) {
     constexpr int l = k * V::size;
     if (l >= count) return;
     std::array<V, S::dimension> b{};
-    found = find(l, b) && found;
-    raise_stiffness(stiffness, b, body, first + l, count - l, grid);
+    found = register_stiffness(body, first + l, count - l, grid, b) && found;
+    const auto meant = first_lanes<V>(count - l);
+    for (V& k : b) k = select(meant, k * V(grid.inverse_cell() * grid.inverse_cell()), V(0));
+    V radius(1);
+    if constexpr (S::hoop)
+      radius = select(meant, V::load(body.x(0) + first + l), V(std::numeric_limits<Scalar>::max()));
+    stiffness.raise(stiffness_of<S>(b, radius));
   });
   return found ? stiffness : stencil_stiffness(body, first, count, grid);
-}
-/// The same from weights that are computed for it.
-template <class Body, class S, class V = typename Body::Lane>
-GridStiffness<V> chunk_stiffness(const Body& body, std::size_t first, int count, const Grid<S>& grid) {
-  return chunk_stiffness(body, first, count, grid,
-                         [&](int l, auto& b) { return register_stiffness(body, first + std::size_t(l), grid, b); });
 }
 template <class T, int N>
 GridStiffness<T> over_lanes(const GridStiffness<Lanes<T, N>>& b) {
@@ -170,16 +166,30 @@ template <class V, class Scalar, class B>
 /// The same from the weights of `count` particles from `first` on, where these `fit`. Infinite where their limits are
 /// not known.
 template <class Body, class S, int K, class V = typename Body::Lane, class Scalar = typename V::Scalar>
-[[gnu::noinline]] V inverse_square_step(const StepLimits<Scalar>& l, const Body& body, std::size_t first, int count,
-                                        const Grid<S>& grid, const ChunkWeights<S, K>& weights, bool fit) {
-  if (!l.known) return V(std::numeric_limits<Scalar>::infinity());
-  const auto stiffness = chunk_stiffness(
-      body, first, count, grid, [&](int from, auto& b) __attribute__((always_inline)) {
-        std::array<AxisModes<V, K>, S::dimension> modes;
-        weights.read(from, modes);
-        return register_stiffness<Body>(modes, grid, b) && fit;
-      });
-  return inverse_square_step<V>(l, stiffness, grid.inverse_cell());
+[[gnu::noinline]] V inverse_square_step(const StepLimits<Scalar>& limits, const Body& body, std::size_t first,
+                                        int count, const Grid<S>& grid, const ChunkWeights<S, K>& weights, bool fit) {
+  if (!limits.known) return V(std::numeric_limits<Scalar>::infinity());
+  const Scalar cell = grid.cell();
+  const V lambda(limits.lambda), shear(limits.shear), rate(100 * limits.rate * cell * cell), pace(2 * limits.speed);
+  V most = max(rate, pace * pace), unsound = V(0) * (rate + pace);
+  typename V::Integers beyond{};
+  shapes::unrolled<chunk_size / V::size>([&](auto k) __attribute__((always_inline)) {
+    constexpr int l = k * V::size;
+    if (l >= count) return;
+    std::array<AxisModes<V, K>, S::dimension> modes;
+    weights.read(l, modes);
+    std::array<V, S::dimension> b;
+    axis_stiffness(modes, b);
+    mark_beyond<Body>(modes, count - l, grid, beyond);
+    V radius(1);
+    if constexpr (S::hoop) radius = V::load(body.x(0) + first + l) * V(grid.inverse_cell());
+    const V needed =
+        select(first_lanes<V>(count - l), mpm::inverse_square_step(lambda, shear, stiffness_of<S>(b, radius)), V(0));
+    most = max(most, needed), unsound += V(0) * needed;
+  });
+  if (!fit || any_of(beyond))
+    return inverse_square_step<V>(limits, stencil_stiffness(body, first, count, grid), grid.inverse_cell());
+  return V(grid.inverse_cell() * grid.inverse_cell()) * (most + unsound);
 }
 
 /// The largest of such, of which infinity stands for NaN.
@@ -191,12 +201,12 @@ auto largest_or_infinite(const V& a) {
 
 }  // namespace detail
 
-/// The step that is safe for the chunks, from the limits that the last step left for each, and the stiffness of the
-/// grid, `stiffness(first, count)`; chunks of which they are not known are looked at plainly. Moduli, rates and speeds
-/// are those at the end of the last step, the largest of a chunk.
-template <class Body, class S, class Stiffness, class Scalar = typename S::Scalar>
+/// The step that is safe for the chunks that looks_at(chunk), from the limits that the last step left for each, and the
+/// stiffness of the grid, `stiffness(first, count)`; chunks of which they are not known are looked at plainly. Moduli,
+/// rates and speeds are those at the end of the last step, the largest of a chunk.
+template <class Body, class S, class F, class Stiffness, class Scalar = typename S::Scalar>
 Scalar stable_step(const Body& body, const ChunkList& chunks, const Grid<S>& grid,
-                   const std::vector<StepLimits<Scalar>>& limits, const Stiffness& stiffness) {
+                   const std::vector<StepLimits<Scalar>>& limits, const F& looks_at, const Stiffness& stiffness) {
   struct Found {
     Scalar inverse_square, plain;
   };
@@ -206,9 +216,10 @@ Scalar stable_step(const Body& body, const ChunkList& chunks, const Grid<S>& gri
       [&](std::int64_t begin, std::int64_t end) {
         Found here = none;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-          const std::size_t first = chunks.first(k);
+          const std::size_t first = chunks.first(k), c = first / chunk_size;
+          if (!looks_at(c)) continue;
           const int size = chunks.count(k);
-          const StepLimits<Scalar>& l = limits[first / chunk_size];
+          const StepLimits<Scalar>& l = limits[c];
           if (l.known) {
             const auto b = detail::inverse_square_step<Scalar>(l, stiffness(first, size), grid.inverse_cell());
             here.inverse_square = larger_or_nan(here.inverse_square, b);

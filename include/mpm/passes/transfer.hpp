@@ -231,17 +231,17 @@ class Transfer {
     if constexpr (may_be_calm) {
       calm_.find_if_due(body, order_, grid);
       if (calm_.serves())
-        return mpm::stable_step(body, order_.chunks, grid, limits_,
-                                [&](std::size_t first, int) { return calm_.of_chunk(first / chunk_size); });
+        return mpm::stable_step(
+            body, order_.chunks, grid, limits_, [](std::size_t) { return true; },
+            [&](std::size_t first, int) { return calm_.of_chunk(first / chunk_size); });
     }
     const bool all_seen = inverse_square_step_ < unknown_;
     const Scalar seen = std::max(all_seen ? inverse_square_step_ : 0, std::numeric_limits<Scalar>::min());
     if (all_seen && !Foreseeable<Body>) return 1 / std::sqrt(seen);
-    const Scalar others = mpm::stable_step(body, order_.chunks, grid, limits_, [&](std::size_t first, int count) {
-      const std::size_t c = first / chunk_size;
-      if (all_seen && !kept_.knows(c) && !kept_.worthwhile(c)) return GridStiffness<Scalar>{};
-      return kept_.of(body, first, count, grid);
-    });
+    const Scalar others = mpm::stable_step(
+        body, order_.chunks, grid, limits_,
+        [&](std::size_t c) { return !all_seen || kept_.knows(c) || kept_.worthwhile(c); },
+        [&](std::size_t first, int count) { return kept_.of(body, first, count, grid); });
     return std::min(others, 1 / std::sqrt(seen));
   }
 
@@ -280,11 +280,11 @@ class Transfer {
     };
     std::size_t bad;
     if constexpr (in_modes) {
-      double inverse_square = 0;
+      Scalar inverse_square = 0;
       const auto looks_at = [&](std::size_t c) { return !calm_.serves() && !kept_.knows(c); };
       bad = lanes::scatter<what, measures>(body, order_, own, momentum, body_force, time, limits_, looks_at,
                                            inverse_square);
-      if (measures && order_.tail_begin() == body.size()) inverse_square_step_ = Scalar(inverse_square);
+      if (measures && order_.tail_begin() == body.size()) inverse_square_step_ = inverse_square;
     } else {
       bad = for_each_strip(order_, plainly);
     }
