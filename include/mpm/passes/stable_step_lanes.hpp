@@ -140,7 +140,7 @@ GridStiffness<V> chunk_stiffness(const Body& body, std::size_t first, int count,
     std::array<V, S::dimension> b{};
     found = register_stiffness(body, first + l, count - l, grid, b) && found;
     const auto meant = first_lanes<V>(count - l);
-    for (V& k : b) k = select(meant, k * V(grid.inverse_cell() * grid.inverse_cell()), V(0));
+    for (V& value : b) value = select(meant, value * V(grid.inverse_cell() * grid.inverse_cell()), V(0));
     V radius(1);
     if constexpr (S::hoop)
       radius = select(meant, V::load(body.x(0) + first + l), V(std::numeric_limits<Scalar>::max()));
