@@ -103,6 +103,22 @@ TEST(SameBits, CalmBlock) {
   });
 }
 
+/// A bar that flies from block to block while waves run along it, too fast for anything to be kept of its step.
+TEST(SameBits, WavesAlongAFlyingBar) {
+  using Line = Uniaxial<>;
+  const auto make = [] {
+    Body<QuadraticBspline, Hypoelastic, Line> bar{"bar", {}, {.density = 1, .young = 1, .poisson = 0}};
+    fill(bar, Vector<Line>{100.}, Vector<Line>{1200.}, .5);
+    EXPECT_TRUE(worth_threads(bar.size()));
+    for (std::size_t p = 0; p < bar.size(); ++p) bar.v(0)[p] = .4 + .05 * std::sin(.1 * double(p));
+    return Solver<QuadraticBspline, Hypoelastic, Musl, Line>{Grid<Line>{Vector<Line>{0.}, 1, {1400}}, std::move(bar)};
+  };
+  expect_same_bits(make, [](auto& solver) {
+    solver.run(150);
+    EXPECT_NEAR(solver.body().x(0)[0], 100.25 + .4 * 150, 3);
+  });
+}
+
 /// Particles in the way that they are looked at with shared masses: a row farther from their strips than any step lets
 /// them go, where every other strip would touch the same nodes.
 TEST(SameBits, SharedMassesOfParticlesThatHaveDrifted) {
