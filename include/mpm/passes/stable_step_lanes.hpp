@@ -40,7 +40,7 @@ template <class V, int K, std::size_t D>
       const V low = select(m.weight[0] > V(flattest), m.weight[0], left_out);
       const V high = select(m.weight[1] > V(flattest), m.weight[1], left_out);
       b[d] = low + high, under[d] = low * high;
-    } else {  // a weight loses its part below `least`, where it has left the bound of one particle long since
+    } else {  // a weight below `least` loses its part, which the plain form has left out long before
       const V least(flattest * flattest / 32768);
       const V scale(sizeof(Scalar) == 4 ? 1 << 30 : 1);  // of both, or three axes' product is below what a float can be
       V weight = m.weight[0], slope = m.slope[0];
