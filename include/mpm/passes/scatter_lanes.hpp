@@ -114,12 +114,12 @@ std::size_t scatter(const Body& body, const ParticleOrder& order, Grid<S>& grid,
   using Scalar = typename S::Scalar;
   using V = typename Body::Lane;
   using Record = detail::ScatterRecord<S>;
+  using Weights = typename detail::WeightsOf<Body>::Type;
   using Word = detail::Word<Scalar>;
   constexpr int D = S::dimension, K = Body::Shape::axis_nodes, count = shapes::power(K, D);
   constexpr bool force = gives_forces<what>, mass = gives_mass<what>, velocity = gives_momentum<what>;
   constexpr bool continued = detail::continues_linearly<typename Body::Shape>;
 
-  using Weights = typename detail::WeightsOf<Body>::Type;
   const auto give_chunk = [&](std::size_t first, int size, const Weights& w, detail::Given<S, Weights>& given)
       __attribute__((always_inline)) {
     std::size_t bad = std::numeric_limits<std::size_t>::max();
