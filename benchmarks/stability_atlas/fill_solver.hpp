@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "fill.hpp"
+#include "law.hpp"
 #include <mpm/mpm.hpp>
 #include <cmath>
 
@@ -82,19 +83,19 @@ class Distortion {
 /// The body of a fill at rest, and the grid that it stands in.
 template <class Shape, class S>
 struct FilledGrid {
-  Body<Shape, Hypoelastic, S> body;
+  Body<Shape, Law, S> body;
   Grid<S> grid;
 };
 template <class Shape, class S>
 FilledGrid<Shape, S> fill_grid(const Fill& f, Random& random) {
-  Body<Shape, Hypoelastic, S> body{"fill", {}, {.density = 1, .young = 1, .poisson = f.poisson}};
+  Body<Shape, Law, S> body{"fill", {}, {{.density = 1, .young = 1, .poisson = f.poisson}}};
   const double spacing = 1 / f.per_edge;
   Vector<S> upper;
   for (int d = 0; d < S::dimension; ++d) upper[d] = spacing * f.count[std::size_t(d)];
   std::bernoulli_distribution kept(f.kept);
   fill(body, Vector<S>::Zero(), upper, spacing, [&](const Vector<S>&) { return kept(random); });
   if (body.size() == 0) fill(body, Vector<S>::Zero(), Vector<S>::Constant(spacing), spacing);
-  const Distortion<Body<Shape, Hypoelastic, S>> distort(f, random);
+  const Distortion<Body<Shape, Law, S>> distort(f, random);
   distort(body);
   return {std::move(body), Grid<S>{Vector<S>::Zero(), 1, distort.cells()}};
 }
@@ -103,7 +104,7 @@ FilledGrid<Shape, S> fill_grid(const Fill& f, Random& random) {
 template <class Shape, class Integrator, class S>
 auto fill_solver(const Fill& f, Random& random) {
   auto filled = fill_grid<Shape, S>(f, random);
-  Solver<Shape, Hypoelastic, Integrator, S> solver{std::move(filled.grid), std::move(filled.body)};
+  Solver<Shape, Law, Integrator, S> solver{std::move(filled.grid), std::move(filled.body)};
   for (int d = 0; d < S::dimension; ++d) solver.boundary.face(d, 0) = Rollers<S>{};
   return solver;
 }

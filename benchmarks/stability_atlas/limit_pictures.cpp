@@ -45,19 +45,22 @@ void draw(const std::vector<GrowthMap>& maps, const std::filesystem::path& png) 
     mpm::io::replace_file(gnuplot.folder() / ("line" + name), line);
     const bool left = n % columns == 0, bottom = n / columns + 1 == integrators.size();
     panels += "set title " + gnuplot_string(n < columns ? std::to_string(m.per_edge) + " an edge" : "") +
-              "\nset ylabel " + (left ? gnuplot_string(m.integrator) + ".\"\\n\".'step, h/c'" : "''") +
-              "\nset xlabel " + gnuplot_string(bottom ? "offset, h" : "") + "\nplot 'cells" + name +
+              "\nset label 1 " + gnuplot_string(left ? m.integrator : "") + " at graph -0.2,0.5 right\nset format y " +
+              (left ? "'%g'" : "''") + "\nset format x " + (bottom ? "'%g'" : "''") + "\nplot 'cells" + name +
               "' with image notitle, 'line" + name + "' with lines linewidth 3 linecolor rgb 'black' notitle\n";
   }
-  gnuplot.draw(
-      int(230 * columns + 60), int(220 * integrators.size() + 50),
-      "set multiplot layout " + std::to_string(integrators.size()) + ',' + std::to_string(columns) + " title " +
-          gnuplot_string(maps.front().shape + ", " + maps.front().space + " (colour grows; line: certain step)") +
-          " font ',15'" +
-          "\nset xrange [0:1]\nset yrange [0:2.45]\nset xtics .5\nset ytics .5\nset cbrange [0:1]\nset cbtics .5\n"
-          "set palette defined (0 'white', 0.02 '#FFE9A0', 0.3 '#E69F00', 1 '#8B1A00')\n"
-          "unset colorbox\nset tmargin 2.5\nset bmargin 3\nset lmargin 9\nset rmargin 2\n" +
-          panels + "unset multiplot\n");
+  const double width = double(170 * columns + 220), height = double(110 * integrators.size() + 120);
+  const auto share = [](double pixels, double of) { return ',' + number(pixels / of); };
+  gnuplot.draw(int(width), int(height),
+               "set multiplot layout " + std::to_string(integrators.size()) + ',' + std::to_string(columns) +
+                   " margins " + number(205 / width) + share(width - 15, width) + share(35, height) +
+                   share(height - 80, height) + " spacing " + number(12 / width) + share(8, height) + " title " +
+                   gnuplot_string(maps.front().shape + ", " + maps.front().space +
+                                  ": growth over offset (h) and step (h/c); line: certain step") +
+                   " font ',12'" +
+                   "\nset xrange [0:1]\nset yrange [0:2.45]\nset xtics (0, .5)\nset ytics 1\nset cbrange [0:1]\n"
+                   "set palette defined (0 'white', 0.02 '#FFE9A0', 0.3 '#E69F00', 1 '#8B1A00')\nunset colorbox\n" +
+                   panels + "unset multiplot\n");
 }
 
 }  // namespace

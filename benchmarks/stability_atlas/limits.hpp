@@ -26,7 +26,7 @@ struct Limit {
   double share = 0;    ///< certain over limit, mean of the offsets
 };
 
-/// On lines and in planes.
+/// From one particle an edge to twenty on lines and in the plane, to four in space.
 std::vector<GrowthMap> growth_maps(bool quick);
 std::vector<Limit> limits(bool quick);
 

@@ -56,13 +56,16 @@ void run(const Options& options) {
     std::fflush(stdout);
   };
   const std::vector<Sheet (*)(bool)> makers{
-      growing_amplitude, particles_a_cell, numerical_fracture, over_stretch,       shear_flow,     spin,
-      gas_in_a_box,      locking,          struck_bar_energy,  checkerboard_decay, relaxation_stop};
+      growing_amplitude, gas_in_a_box, particles_a_cell,  numerical_fracture, over_stretch,   shear_flow, spin, turn,
+      locking,           bending,      struck_bar_energy, checkerboard_decay, relaxation_stop};
   std::vector<Sheet> sheets(makers.size());
 #pragma omp parallel for schedule(dynamic)  // sheets side by side, each on one thread
-  for (std::size_t k = 0; k < makers.size(); ++k) sheets[k] = makers[k](options.quick);
+  for (std::size_t k = 0; k < makers.size(); ++k) {
+    sheets[k] = makers[k](options.quick);
+#pragma omp critical
+    say(sheets[k].mode);
+  }
   for (const Sheet& sheet : sheets) draw(sheet, folder / (sheet.name + ".png"));
-  say("sheets");
   write(sheets, folder / "atlas.csv");
   const auto all_limits = limits(options.quick);
   write(all_limits, folder / "limits.csv");

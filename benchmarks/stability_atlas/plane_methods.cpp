@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "fill_method_maker.hpp"
+#include "method_maker.hpp"
 
-std::vector<mpm::atlas::FillMethod> mpm::atlas::plane_methods() {
-  return FillMethodMaker<PlaneStrain<>>("2-D")
-      .explicit_only<Linear>()
+std::vector<mpm::atlas::Method> mpm::atlas::plane_methods() {
+  return MethodMaker<PlaneStrain<>>("2-D")
+      .shape<Linear>()
       .shape<Ugimp>()
-      .explicit_only<Cpgimp>()
-      .explicit_only<Cpdi>()
+      .shape<Cpgimp>()
+      .shape<Cpdi>()
       .shape<CpdiQuad>()
       .shape<QuadraticBspline>()
-      .explicit_only<CubicBspline>()
-      .add<CpdiQuad>("relaxation", DynamicRelaxation<>{})
+      .shape<CubicBspline>()
       .take();
 }

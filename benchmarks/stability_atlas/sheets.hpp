@@ -14,8 +14,10 @@ Sheet checkerboard_decay(bool quick);
 Sheet relaxation_stop(bool quick);
 Sheet shear_flow(bool quick);
 Sheet spin(bool quick);
+Sheet turn(bool quick);
 Sheet over_stretch(bool quick);
 Sheet gas_in_a_box(bool quick);
 Sheet locking(bool quick);
+Sheet bending(bool quick);
 
 }  // namespace mpm::atlas

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "linear_step.hpp"
+#include "resting_step.hpp"
 #include <mpm/materials/elastic_moduli.hpp>
 #include <mpm/solver.hpp>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace mpm::atlas {
@@ -37,6 +38,11 @@ class RestingParticles {
     const auto [p, k] = place(i);
     if (k < S::dimension) return scale(p, k) * moving.v(k)[p];
     return scale(p, k) * std::bit_cast<std::array<double, 6>>(moving.stress(p))[component(k)];
+  }
+  double norm(const BodyT& moving) const {
+    double sum = 0;
+    for (int i = 0; i < size(); ++i) sum += std::pow(get(moving, i), 2);
+    return std::sqrt(sum);
   }
   /// 2/w of the fastest mode of the nodes, of the masses that stand on the grid, by the power method.
   double nodal_limit(const Grid<S>& grid, Box<S>& boundary) const {
@@ -87,10 +93,9 @@ class RestingParticles {
   }
 };
 
-/// The linear step of a solver of one body that rests without stress. All that a step hands on must be with the body:
-/// not for integrators with particle columns of their own (APIC), nor for those whose nodes keep velocities.
+/// The step of a solver of one body that rests without stress.
 template <class SolverT>
-class SolverStep final : public LinearStep {
+class SolverStep final : public RestingStep {
  public:
   using BodyT = typename SolverT::template BodyAt<0>;
 
@@ -105,11 +110,29 @@ class SolverStep final : public LinearStep {
     return rest_.nodal_limit(solver_.grid, solver_.boundary);
   }
 
+  double growth_rate(double dt, int steps) override {
+    constexpr int between = 5;
+    BodyT& body = start_anew();
+    std::mt19937_64 random{1};
+    for (int i = 0; i < rest_.size(); ++i) rest_.put(body, i, 1e-100 * std::normal_distribution<>()(random));
+    std::vector<double> norms;
+    try {
+      for (int k = 0; k < steps; ++k) {
+        solver_.step(dt);
+        if (k % between == 0) norms.push_back(rest_.norm(body));
+        if (!(norms.back() < 1e-12 && norms.back() > 0)) break;
+      }
+    } catch (const Error&) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const std::size_t last = norms.size() - 1, half = last / 2;
+    return norms[last] > 0 ? std::pow(norms[last] / norms[half], 1. / (between * double(last - half))) : 0;
+  }
   Eigen::MatrixXd matrix(double dt) override {
+    constexpr double amplitude = 1e-12;  // products of two of them are lost in round-off
     const int size = rest_.size();
     Eigen::MatrixXd A(size, size);
-    solver_ = fresh_;  // whose forces act for `dt` from the first step on
-    BodyT& body = solver_.body();
+    BodyT& body = start_anew();
     for (int j = 0; j < size; ++j) {
       body = rest_.body;
       rest_.put(body, j, amplitude);
@@ -120,7 +143,11 @@ class SolverStep final : public LinearStep {
   }
 
  private:
-  static constexpr double amplitude = 1e-12;  // products of two of them are lost in round-off
+  /// A solver whose forces act for the whole of its first step.
+  BodyT& start_anew() {
+    solver_ = fresh_;
+    return solver_.body() = rest_.body;
+  }
 
   /// Of steps that move nothing, the longest after the first: that of a body which has been calm for a while. Those
   /// after it are as long as they are asked to be.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "fill_method_maker.hpp"
+#include "method_maker.hpp"
 
-std::vector<mpm::atlas::FillMethod> mpm::atlas::spatial_methods() {
-  return FillMethodMaker<Spatial<>>("3-D")
+std::vector<mpm::atlas::Method> mpm::atlas::spatial_methods() {
+  return MethodMaker<Spatial<>>("3-D")
       .explicit_only<Linear>()
       .shape<Ugimp>()
       .explicit_only<Cpgimp>()
@@ -10,8 +10,8 @@ std::vector<mpm::atlas::FillMethod> mpm::atlas::spatial_methods() {
       .explicit_only<CubicBspline>()
       .take();
 }
-std::vector<mpm::atlas::FillMethod> mpm::atlas::axisymmetric_methods() {
-  return FillMethodMaker<Axisymmetric<>>("axisymmetric")
+std::vector<mpm::atlas::Method> mpm::atlas::axisymmetric_methods() {
+  return MethodMaker<Axisymmetric<>>("axisymmetric")
       .explicit_only<Ugimp>()
       .explicit_only<Cpdi>()
       .explicit_only<QuadraticBspline>()

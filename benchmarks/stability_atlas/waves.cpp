@@ -2,6 +2,7 @@
 #include <accuracy_cost/methods.hpp>
 #include <problems/axis_aligned.hpp>
 #include <limits>
+#include "integrators.hpp"
 #include "sheets.hpp"
 
 // The manufactured waves along an axis: how large, and with how many particles.
@@ -17,13 +18,13 @@ double error(const problems::AxisAlignedOptions& options, const Integrator& inte
   }
 }
 
-/// Calls f<Shape>(name, integrator) for what the sheets compare.
+/// Calls f<Shape>(shape, name, integrator) for all.
 template <class F>
-void for_methods(const F& f) {
+void for_each_method(const F& f) {
   const auto all = [&]<class Shape>() {
-    const std::string shape = accuracy_cost::shape_name<Shape>();
-    f.template operator()<Shape>(shape + " USL", Usl{});
-    f.template operator()<Shape>(shape + " MUSL", Musl{});
+    for_each_integrator([&](const char* name, const auto& integrator) {
+      f.template operator()<Shape>(accuracy_cost::shape_name<Shape>(), name, integrator);
+    });
   };
   all.template operator()<Linear>();
   all.template operator()<Ugimp>();
@@ -31,10 +32,6 @@ void for_methods(const F& f) {
   all.template operator()<Cpdi>();
   all.template operator()<QuadraticBspline>();
   all.template operator()<CubicBspline>();
-  f.template operator()<Cpdi>("Cpdi USF", Usf{});
-  f.template operator()<Cpdi>("Cpdi FMPM(2)", Fmpm{.order = 2});
-  f.template operator()<Cpdi>("Cpdi full-mass FLIP(2)", FullMassFlip{.order = 2});
-  f.template operator()<Cpdi>("Cpdi APIC", Apic{});
 }
 
 }  // namespace
@@ -43,13 +40,13 @@ Sheet growing_amplitude(bool quick) {
   const int cells = quick ? 32 : 64;
   Sheet sheet{"amplitude", "growing amplitude"};
   sheet.title = "Manufactured wave, " + std::to_string(cells) + " cells, 2 particles each: cell crossing and stretch";
-  sheet.x_label = "amplitude A, m, of a bar of 1 m";
+  sheet.x_label = "amplitude A, m, of 1 m";
   sheet.y_label = "error of the displacement, %";
   sheet.at = "A = ";
   sheet.limit = .02, sheet.percent = 100, sheet.log_x = true;
-  for_methods([&]<class Shape>(const std::string& name, const auto& integrator) {
+  for_each_method([&]<class Shape>(const std::string& shape, const char* name, const auto& integrator) {
     for (const double A : {.0005, .002, .005, .01, .02, .05, .1, .15, .2})
-      sheet.points.push_back({name, A, error<Shape>({.cells = cells, .amplitude = A}, integrator)});
+      sheet.points.push_back({shape, name, A, error<Shape>({.cells = cells, .amplitude = A}, integrator)});
   });
   return sheet;
 }
@@ -61,9 +58,9 @@ Sheet particles_a_cell(bool quick) {
   sheet.x_label = "particles a cell";
   sheet.y_label = "error of the displacement, %";
   sheet.limit = .02, sheet.percent = 100;
-  for_methods([&]<class Shape>(const std::string& name, const auto& integrator) {
+  for_each_method([&]<class Shape>(const std::string& shape, const char* name, const auto& integrator) {
     for (const int n : {8, 4, 3, 2, 1})
-      sheet.points.push_back({name, double(n), error<Shape>({.cells = cells, .per_edge = n}, integrator)});
+      sheet.points.push_back({shape, name, double(n), error<Shape>({.cells = cells, .per_edge = n}, integrator)});
   });
   return sheet;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <stability_atlas/fill_method.hpp>
+#include <stability_atlas/method.hpp>
 #include <cstdlib>
 #include <exception>
 
@@ -13,17 +13,17 @@ using namespace mpm::atlas;
 int most_particles(int dimension) {
   return dimension == 1 ? 30 : dimension == 2 ? 25 : 12;
 }
-/// Calls f(method, fill, random) for random fills of the methods whose step is linear, or of the others, in turn: of
+/// Calls f(method, fill, random) for random fills of the methods whose step is a matrix, or of the others, in turn: of
 /// one in `share` of 2000, or of as many as the environment says.
 template <class F>
-void for_each_fill(bool linear, int share, const F& f) {
+void for_each_fill(bool matrix, int share, const F& f) {
   const char* const asked = std::getenv("MPM_FILLS");
   const int count = (asked ? std::atoi(asked) : 2000) / share;
-  std::vector<const FillMethod*> methods;
-  for (const FillMethod& m : fill_methods())
-    if (bool(m.linear) == linear) methods.push_back(&m);
+  std::vector<const Method*> asked_for;
+  for (const Method& m : methods())
+    if (m.has_matrix == matrix) asked_for.push_back(&m);
   for (int k = 0; k < count; ++k) {
-    const FillMethod& method = *methods[std::size_t(k) % methods.size()];
+    const Method& method = *asked_for[std::size_t(k) % asked_for.size()];
     SCOPED_TRACE(testing::Message() << "fill " << k << ", " << method.name());
     Random random(static_cast<unsigned>(k));
     try {
@@ -38,15 +38,15 @@ void for_each_fill(bool linear, int share, const F& f) {
 // of the limit, symplectic Euler swaps velocity for stress and back: root mean square growth of up to sqrt((q +
 // 1/q)/2), q = (1 + s)/(1 - s), which is 2.13 at s = .8.
 TEST(CertainStep, NoFillGrows) {
-  for_each_fill(true, 1, [](const FillMethod& method, const Fill& fill, Random& random) {
-    const auto step = method.linear(fill, random);
+  for_each_fill(true, 1, [](const Method& method, const Fill& fill, Random& random) {
+    const auto step = method.at_rest(fill, random);
     EXPECT_LT(growth(step->matrix(.8 * step->certain()), 20), 2.13);
   });
 }
 // Those that keep something between steps beside the particles' velocities and stresses: a thousand of the solver's own
 // steps each. From a random state the norm swings, by 3 at most; what grows is soon beyond a thousand.
 TEST(CertainStep, NorDoThoseWithColumnsOfTheirOwn) {
-  for_each_fill(false, 10, [](const FillMethod& method, const Fill& fill, Random& random) {
+  for_each_fill(false, 10, [](const Method& method, const Fill& fill, Random& random) {
     EXPECT_LT(method.run(fill, random, 1000), 5);
   });
 }
@@ -57,7 +57,7 @@ TEST(CertainStep, ApicStandsWhereFacesCutBoxes) {
     for (const double x : {.02, .05, .1, .2}) {
       Random random{1};
       const Fill fill{.per_edge = 1, .count = {1, 1, 1}, .offset = {x, x, x}, .stretch = {.45, .45, .45}};
-      EXPECT_LT(fill_method(space, "Ugimp", "APIC").run(fill, random, 1000), 5) << space << " at " << x;
+      EXPECT_LT(find_method(space, "Ugimp", "APIC").run(fill, random, 1000), 5) << space << " at " << x;
     }
 }
 
@@ -67,7 +67,7 @@ struct Shares {
   double of_limit = 0;  ///< in the step beyond which something grows
   double irons = 0;     ///< of the step of particles that move, in the same
 };
-Shares shares(const FillMethod& method) {
+Shares shares(const Method& method) {
   constexpr int fills = 4;
   Shares shares;
   for (int k = 0; k < fills; ++k) {
@@ -78,7 +78,7 @@ Shares shares(const FillMethod& method) {
                     .offset = {place(random), place(random), place(random)},
                     .margin = {2, 2, 2},
                     .poisson = method.dimension == 1 ? 0 : .2};
-    const auto step = method.linear(fill, random);
+    const auto step = method.at_rest(fill, random);
     shares.of_nodes += step->certain() / step->nodal_limit() / fills;
     const double limit = true_limit(*step);
     shares.of_limit += step->certain() / limit / fills;
@@ -93,7 +93,7 @@ Shares shares(const FillMethod& method) {
 TEST(CertainStep, ShareInWhatTheIntegratorStands) {
   const auto expect = [](const char* space, const char* shape, double of_nodes, double of_usl, double irons_of_usl,
                          double of_musl) {
-    const Shares musl = shares(fill_method(space, shape, "MUSL")), usl = shares(fill_method(space, shape, "USL"));
+    const Shares musl = shares(find_method(space, shape, "MUSL")), usl = shares(find_method(space, shape, "USL"));
     EXPECT_NEAR(musl.of_nodes, of_nodes, .02) << space << ' ' << shape;
     EXPECT_NEAR(musl.of_limit, of_musl, .02) << space << ' ' << shape;
     EXPECT_NEAR(usl.of_limit, of_usl, .02) << space << ' ' << shape;
@@ -119,8 +119,7 @@ double growth_at(double cfl, const char* shape, const char* integrator) {
   for (const double offset : {.05, .3, .55, .8}) {
     Random random{1};
     const Fill fill{.count = {16, 1, 1}, .offset = {offset, 0, 0}, .margin = {2, 2, 2}};
-    largest =
-        std::max(largest, growth_rate(fill_method("1-D", shape, integrator).linear(fill, random)->matrix(cfl), 600));
+    largest = std::max(largest, find_method("1-D", shape, integrator).at_rest(fill, random)->growth_rate(cfl, 600));
   }
   return largest;
 }
@@ -139,7 +138,7 @@ TEST(CflAboveOne, ModifiedLastStands) {
 }
 
 /// Blocks with edges, or points, a little beside the nodes or half way between them.
-void expect_no_spike(const FillMethod& method, double beside) {
+void expect_no_spike(const Method& method, double beside) {
   for (const double place : {0., .25, .5, .75}) {
     Random random{1};
     const int deep = method.dimension == 3 ? 1 : 2;
@@ -151,7 +150,7 @@ void expect_no_spike(const FillMethod& method, double beside) {
 // A particle, or a corner of its domain, slid past a node by a millionth of a cell or less: neither a NaN nor a
 // spike, though the node beyond has next to no mass. Every shape, integrator and space.
 TEST(SlidPastANode, NothingHappens) {
-  for (const FillMethod& method : fill_methods())
+  for (const Method& method : methods())
     for (const double beside : {1e-6, -1e-6}) expect_no_spike(method, beside);
 }
 

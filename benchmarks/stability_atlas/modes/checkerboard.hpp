@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <mpm/analysis/energy.hpp>
-#include <mpm/mpm.hpp>
+#include "../law.hpp"
 
 namespace mpm::atlas {
 
@@ -12,10 +12,10 @@ double checkerboard(const Integrator& integrator, const After& after) {
   using S = Uniaxial<>;
   constexpr int cells = 20;
   constexpr double v = 1e-6;  // of the wave speed
-  Body<Shape, Hypoelastic, S> bar{"bar", {}, {.density = 1, .young = 1}};
+  Body<Shape, Law, S> bar{"bar", {}, {{.density = 1, .young = 1}}};
   fill(bar, Vector<S>{0.0}, Vector<S>{double(cells)}, .5);
   for (std::size_t p = 0; p < bar.size(); ++p) bar.v(0)[p] = p % 2 ? v : -v;
-  Solver<Shape, Hypoelastic, Integrator, S> solver{Grid<S>{Vector<S>{0.0}, 1, {cells}}, std::move(bar)};
+  Solver<Shape, Law, Integrator, S> solver{Grid<S>{Vector<S>{0.0}, 1, {cells}}, std::move(bar)};
   solver.integrator = integrator;
   for (const int side : {0, 1}) solver.boundary.face(0, side) = Rollers<S>{};
   const double start = kinetic_energy(solver.body());

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <mpm/mpm.hpp>
 #include <mpm/relax.hpp>
-#include <problems/manufactured.hpp>
 #include <algorithm>
 #include <cmath>
+#include "../law.hpp"
 
 namespace mpm::atlas {
 
@@ -32,7 +31,6 @@ double cook(const Cook& o) {
   using S = PlaneStrain<>;
   constexpr double young = 1e6, density = 1, load = 1;
   const double spacing = o.cell / o.per_edge, reference = (o.poisson < .4 ? 21.94 : 18.52) * load / young;
-  using Law = problems::WithOrigin<Hypoelastic>;
   Body<Shape, Law, S> panel{"panel", {}, {{.density = density, .young = young, .poisson = o.poisson}}};
   fill(panel, {0, 0}, {48, 60}, spacing,
        [](const Vector<S>& x) { return x[1] > 44. / 48 * x[0] && x[1] < 44 + 16. / 48 * x[0]; });

@@ -14,7 +14,7 @@ struct Rest {
 
 /// A bar of 20 cells, held at one end and pulled at the other, from no stress at all; damping in shares of the critical
 /// one, where it is fixed.
-template <Damping How>
+template <class Shape, Damping How>
 class RelaxedBar {
  public:
   explicit RelaxedBar(double share_of_critical = 1) : solver_(bar()) {
@@ -36,12 +36,12 @@ class RelaxedBar {
 
  private:
   using S = Uniaxial<>;
-  using SolverT = Solver<Cpgimp, Hypoelastic, DynamicRelaxation<How>, S>;
+  using SolverT = Solver<Shape, Hypoelastic, DynamicRelaxation<How>, S>;
   static constexpr int cells = 20;
   static constexpr double pull = 1;
 
   static SolverT bar() {
-    Body<Cpgimp, Hypoelastic, S> body{"bar", {}, {.density = 1e6, .young = 1e6, .poisson = 0}};
+    Body<Shape, Hypoelastic, S> body{"bar", {}, {.density = 1e6, .young = 1e6, .poisson = 0}};
     fill(body, Vector<S>{0.0}, Vector<S>{1.0}, .5 / cells);
     return SolverT{Grid<S>{Vector<S>{0.0}, 1. / cells, {cells}}, std::move(body)};
   }
