@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <accuracy_cost/methods.hpp>
 #include <cmath>
 #include <limits>
+#include "line_shapes.hpp"
 #include "modes/relaxed_bar.hpp"
 #include "modes/torn.hpp"
 #include "sheets.hpp"
 
 // Modes of a bar in which the shape alone tells, or the relaxation.
 namespace mpm::atlas {
-namespace {
-
-template <class F>
-void for_each_shape(const F& f) {
-  f.template operator()<Linear>(accuracy_cost::shape_name<Linear>());
-  f.template operator()<Ugimp>(accuracy_cost::shape_name<Ugimp>());
-  f.template operator()<Cpgimp>(accuracy_cost::shape_name<Cpgimp>());
-  f.template operator()<Cpdi>(accuracy_cost::shape_name<Cpdi>());
-  f.template operator()<QuadraticBspline>(accuracy_cost::shape_name<QuadraticBspline>());
-  f.template operator()<CubicBspline>(accuracy_cost::shape_name<CubicBspline>());
-}
-
-}  // namespace
 
 Sheet numerical_fracture(bool quick) {
   Sheet sheet{"fracture", "stretched bar tears"};
@@ -28,7 +15,7 @@ Sheet numerical_fracture(bool quick) {
   sheet.x_label = "stretch";
   sheet.y_label = "pairs of neighbours that share no node";
   sheet.at = "stretch ", sheet.log_y = false;
-  for_each_shape([&]<class Shape>(const std::string& shape) {
+  for_each_line_shape([&]<class Shape>(const std::string& shape) {
     for (double stretch = 1; stretch <= 20; stretch += quick ? .5 : .2)
       sheet.points.push_back({shape, "", stretch, torn<Shape>(stretch)});
   });
@@ -41,7 +28,7 @@ Sheet relaxation_stop(bool) {
   sheet.x_label = "damping, of the critical one";
   sheet.y_label = "error of the stress, %";
   sheet.at = "damping ", sheet.limit = .05, sheet.percent = 100, sheet.log_x = true;
-  for_each_shape([&]<class Shape>(const std::string& shape) {
+  for_each_line_shape([&]<class Shape>(const std::string& shape) {
     const auto add = [&](const char* how, double share, const auto& rest) {
       double error = std::numeric_limits<double>::infinity();
       try {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <accuracy_cost/methods.hpp>
 #include <problems/axis_aligned.hpp>
 #include <limits>
 #include "integrators.hpp"
+#include "line_shapes.hpp"
 #include "sheets.hpp"
 
 // The manufactured waves along an axis: how large, and with how many particles.
@@ -21,17 +21,10 @@ double error(const problems::AxisAlignedOptions& options, const Integrator& inte
 /// Calls f<Shape>(shape, name, integrator) for all.
 template <class F>
 void for_each_method(const F& f) {
-  const auto all = [&]<class Shape>() {
-    for_each_integrator([&](const char* name, const auto& integrator) {
-      f.template operator()<Shape>(accuracy_cost::shape_name<Shape>(), name, integrator);
-    });
-  };
-  all.template operator()<Linear>();
-  all.template operator()<Ugimp>();
-  all.template operator()<Cpgimp>();
-  all.template operator()<Cpdi>();
-  all.template operator()<QuadraticBspline>();
-  all.template operator()<CubicBspline>();
+  for_each_line_shape([&]<class Shape>(const std::string& shape) {
+    for_each_integrator(
+        [&](const char* name, const auto& integrator) { f.template operator()<Shape>(shape, name, integrator); });
+  });
 }
 
 }  // namespace
