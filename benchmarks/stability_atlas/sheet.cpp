@@ -46,11 +46,11 @@ class Curves {
       : sheet_(sheet), file_(gnuplot.folder() / "lines"), integrators_(integrators_of({sheet})) {}
 
   bool by_shape() const { return integrators_.size() > 1; }
-  /// A plot of what one shape has, colours by integrator.
+  /// A plot of what one shape has, colours by integrator; an empty panel if no run got anywhere.
   std::string of_shape(const std::string& shape) {
     std::string plot;
     for (std::size_t k = 0; k < integrators_.size(); ++k) add(plot, shape, integrators_[k], look(k), "");
-    return plot.empty() ? "" : "plot " + plot;
+    return plot.empty() ? "set multiplot next" : "plot " + plot;
   }
   /// A plot of all shapes, which have a curve each.
   std::string of_all() {
